@@ -1,0 +1,46 @@
+#include "core/film.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfThreading.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace rays {
+
+void write_exr(const Film& film, const std::string& path) {
+    const auto [width, height] = film.raster();
+    const std::string partial = path + ".partial";
+    try {
+        Imf::setGlobalThreadCount(0);
+        Imf::Header header(width, height, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, Imf::ZIPS_COMPRESSION);
+        Imf::FrameBuffer frame;
+        const char* names[] = {"R", "G", "B"};
+        auto* base = const_cast<char*>(reinterpret_cast<const char*>(&film.at(0, 0)));
+        for (int c = 0; c < 3; ++c) {
+            header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+            frame.insert(names[c], Imf::Slice(Imf::FLOAT, base + sizeof(float) * static_cast<std::size_t>(c),
+                                              sizeof(Radiance),
+                                              sizeof(Radiance) * static_cast<std::size_t>(width)));
+        }
+        {
+            Imf::OutputFile file(partial.c_str(), header);
+            file.setFrameBuffer(frame);
+            file.writePixels(height);
+        }
+        std::filesystem::rename(partial, path);
+    } catch (const std::exception& e) {
+        std::error_code ignored;
+        std::filesystem::remove(partial, ignored);
+        throw InputError(path + ": cannot write the picture (" + e.what() +
+                         "); check that the folder exists, is writable and has room");
+    }
+}
+
+}  // namespace rays

@@ -1,0 +1,69 @@
+#include "core/query_log.h"
+
+#include <fmt/format.h>
+
+namespace rays {
+namespace {
+
+std::string numbers(const Vec3& v) { return fmt::format("[{:.17g},{:.17g},{:.17g}]", v.x, v.y, v.z); }
+
+// JSON has no infinity: a range without end is null.
+std::string number(Real v) { return std::isfinite(v) ? fmt::format("{:.17g}", v) : "null"; }
+
+std::string outcome(const QueryLog::Query& q) {
+    if (q.kind == "shadow") return q.blocked ? "blocked" : "free";
+    if (!q.hit) return "miss";
+    return fmt::format("object {} at t={:.9g}, point ({:.6g}, {:.6g}, {:.6g}), normal ({:.6g}, {:.6g}, {:.6g})",
+                       q.hit->object, q.hit->t, q.hit->point.x, q.hit->point.y, q.hit->point.z,
+                       q.hit->shading_normal.x, q.hit->shading_normal.y, q.hit->shading_normal.z);
+}
+
+std::string hit_json(const std::optional<Hit>& hit) {
+    if (!hit) return "null";
+    return fmt::format(R"({{"t":{},"object":{},"point":{},"normal":{},"shading_normal":{}}})", number(hit->t),
+                       hit->object, numbers(hit->point), numbers(hit->normal), numbers(hit->shading_normal));
+}
+
+}  // namespace
+
+thread_local QueryLog* query_log = nullptr;
+
+void QueryLog::nearest(const Ray& ray, Interval range, const std::optional<Hit>& hit) {
+    const int depth = current < 0 ? 0 : queries[static_cast<std::size_t>(current)].depth + 1;
+    queries.push_back({next_kind, current, depth, ray, range, hit, false, {}});
+    current = static_cast<int>(queries.size()) - 1;
+}
+
+void QueryLog::occluded(const Ray& ray, Interval range, bool blocked) {
+    const int depth = current < 0 ? 0 : queries[static_cast<std::size_t>(current)].depth + 1;
+    queries.push_back({"shadow", current, depth, ray, range, std::nullopt, blocked, {}});
+}
+
+std::string QueryLog::to_text() const {
+    std::string text;
+    for (const Query& q : queries) {
+        text += fmt::format("{:{}}{} ray from ({:.6g}, {:.6g}, {:.6g}) along ({:.6g}, {:.6g}, {:.6g}): {}", "",
+                            2 * q.depth, q.kind, q.ray.origin.x, q.ray.origin.y, q.ray.origin.z, q.ray.direction.x,
+                            q.ray.direction.y, q.ray.direction.z, outcome(q));
+        if (q.kind != "shadow")
+            text += fmt::format(" -> radiance ({:.6g}, {:.6g}, {:.6g})", q.radiance[0], q.radiance[1], q.radiance[2]);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string QueryLog::to_json() const {
+    std::string json = "{\"queries\":[";
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        const Query& q = queries[i];
+        json += fmt::format(
+            R"({}{{"kind":"{}","parent":{},"depth":{},"origin":{},"direction":{},"range":[{},{}],"hit":{},"blocked":{},)"
+            R"("radiance":[{:.9g},{:.9g},{:.9g}]}})",
+            i ? ",\n" : "\n", q.kind, q.parent, q.depth, numbers(q.ray.origin), numbers(q.ray.direction),
+            number(q.range.min), number(q.range.max), hit_json(q.hit), q.blocked, q.radiance[0], q.radiance[1],
+            q.radiance[2]);
+    }
+    return json + "\n]}\n";
+}
+
+}  // namespace rays

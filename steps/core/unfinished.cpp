@@ -1,0 +1,50 @@
+#include "core/unfinished.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <mutex>
+#include <utility>
+
+namespace rays {
+namespace {
+
+std::mutex mutex;
+std::vector<UnfinishedTask> tasks;
+thread_local bool flag = false;
+
+// "1.10" comes after "1.9".
+std::pair<int, int> task_order(const std::string& id) {
+    const auto dot = id.find('.');
+    return {std::atoi(id.c_str()), dot == std::string::npos ? 0 : std::atoi(id.c_str() + dot + 1)};
+}
+
+void remember(const char* task, const std::source_location& where) {
+    const std::lock_guard lock(mutex);
+    const auto known = std::any_of(tasks.begin(), tasks.end(), [&](const auto& t) { return t.task == task; });
+    if (!known) tasks.push_back({task, where.file_name(), where.line()});
+}
+
+}  // namespace
+
+Unfinished unfinished(const char* task, std::source_location where) {
+    // A starter asks for millions of rays: only the first of a run of equal tasks on a thread takes the lock.
+    thread_local std::vector<const char*> seen;
+    if (std::find(seen.begin(), seen.end(), task) == seen.end()) {
+        seen.push_back(task);
+        remember(task, where);
+    }
+    flag = true;
+    return {};
+}
+
+std::vector<UnfinishedTask> unfinished_tasks() {
+    const std::lock_guard lock(mutex);
+    auto result = tasks;
+    std::sort(result.begin(), result.end(),
+              [](const auto& a, const auto& b) { return task_order(a.task) < task_order(b.task); });
+    return result;
+}
+
+bool take_unfinished_flag() { return std::exchange(flag, false); }
+
+}  // namespace rays
