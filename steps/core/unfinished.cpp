@@ -10,7 +10,7 @@ namespace {
 
 std::mutex mutex;
 std::vector<UnfinishedTask> tasks;
-thread_local bool flag = false;
+thread_local const char* first_asked = nullptr;
 
 // "1.10" comes after "1.9".
 std::pair<int, int> task_order(const std::string& id) {
@@ -33,7 +33,7 @@ Unfinished unfinished(const char* task, std::source_location where) {
         seen.push_back(task);
         remember(task, where);
     }
-    flag = true;
+    if (!first_asked) first_asked = task;
     return {};
 }
 
@@ -45,6 +45,6 @@ std::vector<UnfinishedTask> unfinished_tasks() {
     return result;
 }
 
-bool take_unfinished_flag() { return std::exchange(flag, false); }
+const char* take_unfinished_task() { return std::exchange(first_asked, nullptr); }
 
 }  // namespace rays

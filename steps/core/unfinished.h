@@ -28,7 +28,7 @@ struct UnfinishedTask {
 /// Every task asked for so far, by any thread, each once, in the order of their ids.
 std::vector<UnfinishedTask> unfinished_tasks();
 
-/// True when this thread asked for an unfinished task since the last call.
-bool take_unfinished_flag();
+/// The first unfinished task that this thread asked for since the last call, or null.
+const char* take_unfinished_task();
 
 }  // namespace rays
