@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# The render program from outside: what it returns, what it says, what it leaves behind.
+set -u
+render=$1
+starter=$2
+scenes=$3
+scene=$scenes/1_ray_casting/one_sphere.pov
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+failed=0
+
+expect() { # STATUS PATTERN ARGUMENTS...: what it prints must match the pattern
+    local status=$1 pattern=$2 out
+    shift 2
+    out=$("$@" 2>&1 </dev/null)
+    local got=$?
+    if [ $got -ne "$status" ] || ! grep -qE -- "$pattern" <<<"$out"; then
+        echo "FAILED: $*: status $got, expected $status; expected to read /$pattern/, got:"
+        echo "$out" | head -5
+        failed=1
+    fi
+}
+
+expect 0 '^$' "$render" "$scene" -o "$dir/a.exr" --width 32 --height 24 --stats "$dir/stats.json"
+[ -s "$dir/a.exr" ] || { echo "FAILED: no picture"; failed=1; }
+grep -q '"unfinished":\[\]' "$dir/stats.json" || { echo "FAILED: statistics"; failed=1; }
+expect 0 '^$' "$render" "$scene" -o "$dir/a.png" --width 32 --height 24
+expect 2 'which scene' "$render" -o "$dir/b.exr"
+expect 2 'nowhere.pov' "$render" nowhere.pov -o "$dir/b.exr"
+expect 2 'where to' "$render" "$scene"
+expect 2 '1000000000' "$render" "$scene" -o "$dir/b.exr" --width 1000000000 --height 1000000000
+expect 2 'samples' "$render" "$scene" -o "$dir/b.exr" --samples 7
+expect 2 'no such effect' "$render" "$scene" -o "$dir/b.exr" --without gravity
+expect 2 'cannot write' "$render" "$scene" -o "$dir/no/b.exr"
+expect 2 'cannot write|only .exr' "$render" "$scene" -o "$dir/b.unknown"
+expect 2 'explain' "$render" "$scene" --explain 400,2
+expect 0 'camera ray' "$render" "$scene" --explain 160,120
+expect 0 'leaves out' "$render" "$scene" --needs
+expect 0 '"needed":true' "$render" "$scene" --needs --json
+expect 2 'run with --help|not expected' "$render" "$scene" --fly
+# A full disk: an error, the old picture kept, nothing half-written.
+if [ -w /dev/full ]; then expect 2 'cannot write' "$render" "$scene" -o "$dir/c.exr" --stats /dev/full; fi
+# The starter renders, says what is missing, and where.
+expect 0 'unfinished 1\.1 .*camera.cpp|unfinished 1\.1 .*ray_casting.cpp' "$starter" "$scene" -o "$dir/s.exr" --width 32 --height 24
+[ -s "$dir/s.exr" ] || { echo "FAILED: the starter made no picture"; failed=1; }
+[ -z "$(find "$dir" -name '*.partial*')" ] || { echo "FAILED: half-written files"; failed=1; }
+exit $failed

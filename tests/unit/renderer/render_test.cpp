@@ -1,0 +1,65 @@
+#include "renderer/render.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace rays {
+namespace {
+
+using tests::same_bytes;
+using tests::staged;
+
+TEST(Render, SameBytesForOneTwoAndSevenThreads) {
+    const Scene scene = staged(tests::kBallOnFloor);
+    RenderOptions options{.raster = {97, 61}, .samples = 4, .threads = 1};
+    const Film one = render(scene, options);
+    for (const int threads : {2, 7}) {
+        options.threads = threads;
+        EXPECT_TRUE(same_bytes(one, render(scene, options))) << threads << " threads";
+    }
+}
+
+TEST(Render, AnEmptySceneIsItsBackground) {
+    const Film film = render(staged(tests::kHead), {.raster = {3, 2}});
+    for (int x = 0; x < 3; ++x) EXPECT_FLOAT_EQ(film.at(x, 1)[2], 0.3f);
+}
+
+TEST(Render, OnePixelIsAPicture) {
+    EXPECT_TRUE(render(staged(tests::kBallOnFloor), {.raster = {1, 1}}).at(0, 0).is_finite());
+}
+
+TEST(Render, MoreSamplesAreTheMeanOfThePixel) {
+    // A plane of brightness 1 covers the lower half of a 1 x 1 picture exactly.
+    const Scene scene = staged(
+        "camera { orthographic location <0,0,-5> direction z right x up y }\n"
+        "box { <-9,-9,0>, <9,0,1> pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }\n");
+    EXPECT_FLOAT_EQ(render(scene, {.raster = {1, 1}, .samples = 16}).at(0, 0)[0], 0.5f);
+}
+
+TEST(Render, ProgressEndsAtOne) {
+    double last = 0;
+    RenderOptions options{.raster = {4, 9}, .threads = 1, .progress = [&](double done) { last = done; }};
+    render(staged(tests::kHead), options);
+    EXPECT_EQ(last, 1);
+}
+
+TEST(Explain, TheTreeBeginsWithTheCameraRayAndHoldsTheShadowRay) {
+    const Scene scene = staged(tests::kBallOnFloor);
+    const QueryLog log = explain(scene, {40, 30}, 20, 18);
+    ASSERT_GE(log.queries.size(), 2u);
+    EXPECT_EQ(log.queries[0].kind, "camera");
+    EXPECT_TRUE(log.queries[0].hit.has_value());
+    EXPECT_EQ(log.queries[1].kind, "shadow");
+    EXPECT_EQ(query_log, nullptr);
+}
+
+TEST(Explain, TheRadianceIsThePixels) {
+    const Scene scene = staged(tests::kBallOnFloor);
+    const Film film = render(scene, {.raster = {40, 30}});
+    const QueryLog log = explain(scene, {40, 30}, 17, 11);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(log.queries.front().radiance[c], film.at(17, 11)[c]);
+}
+
+}  // namespace
+}  // namespace rays
