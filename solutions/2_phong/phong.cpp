@@ -21,24 +21,24 @@ float power(Real c, Real exponent) {
     return static_cast<float>(std::pow(c, exponent));
 }
 
-/// The smooth step 3 s^2 - 2 s^3 of x between low and high: POV-Ray's "cubic spline" at the rim of a light.
-Real smooth_step(Real low, Real high, Real x) {
-    if (!(x > low)) return 0;
-    if (x >= high) return 1;
-    const Real s = (x - low) / (high - low);
-    return (3 - 2 * s) * s * s;
+/// The smooth step 3 s^2 - 2 s^3, s in [0, 1]: POV-Ray's "cubic spline" at the rim of a light.
+Real smooth_step(Real s) { return (3 - 2 * s) * s * s; }
+
+/// Part of a spotlight that goes to a place `along` its axis (positive) and `from_axis` beside it. Angles are compared
+/// by 1 - cosine, in the forms 2 sin^2(angle / 2) and from_axis^2 / (distance (distance + along)): the same smooth step
+/// of the cosine, but nothing cancels in beams as narrow as one likes.
+Real spot_profile(const Light& light, Real along, Real from_axis) {
+    const Real distance = std::hypot(along, from_axis);
+    const Real tight = light.tightness == 0 ? Real(1) : std::pow(along / distance, light.tightness);
+    const auto one_minus_cos = [](Real angle) { return 2 * std::sin(angle / 2) * std::sin(angle / 2); };
+    const Real here = from_axis * from_axis / (distance * (distance + along));
+    const Real full = one_minus_cos(light.radius_rad);
+    if (full >= 1 || here <= full) return tight;  // POV-Ray: a radius of 90 degrees or more has no rim
+    const Real end = one_minus_cos(light.falloff_rad);
+    return here < end ? tight * smooth_step((end - here) / (end - full)) : Real(0);
 }
 
-/// Part of a spotlight that goes at an angle of this cosine from its axis.
-Real spot_profile(const Light& light, Real cos_angle) {
-    if (!(cos_angle > 0)) return 0;
-    const Real tight = light.tightness == 0 ? Real(1) : std::pow(cos_angle, light.tightness);
-    const Real cos_radius = std::cos(light.radius_rad);
-    if (!(cos_radius > 0) || cos_angle >= cos_radius) return tight;
-    return tight * smooth_step(std::cos(light.falloff_rad), cos_radius, cos_angle);
-}
-
-/// Part of a cylinder light at this distance from its axis. POV-Ray measures tightness and rim from the outside in.
+/// Part of a cylinder light at this distance from its axis. Tightness and rim count from the outside in.
 Real cylinder_profile(const Light& light, Real from_axis) {
     const Real radius = light.radius_rad;
     const Real falloff = light.falloff_rad;
@@ -46,7 +46,7 @@ Real cylinder_profile(const Light& light, Real from_axis) {
     const Real inwards = 1 - from_axis / falloff;
     const Real tight = light.tightness == 0 ? Real(1) : std::pow(inwards, light.tightness);
     if (!(radius > 0) || from_axis <= radius) return tight;
-    return tight * smooth_step(0, 1 - radius / falloff, inwards);
+    return tight * smooth_step((falloff - from_axis) / (falloff - radius));
 }
 
 /// From the light to what it points at, unit; any unit vector when these are the same point.
@@ -154,14 +154,16 @@ Real fading(const Light& light, Real distance) {
 Real cone_of_light(const Light& light, const Vec3& point) {
     //> 2.7 A spotlight is full within `radius` of its axis and ends at `falloff`, both angles; in between, a smooth step
     //>   3 s^2 - 2 s^3 of the angle's cosine. All of it is multiplied by cosine^tightness. A cylinder light does the same
-    //>   with distances from its axis, s counted from the outside in. Neither lights what lies behind it.
+    //>   with distances from its axis; there, tightness is the exponent of 1 - distance / falloff. Neither lights what
+    //>   lies behind it.
     if (light.kind == Light::Kind::point) return 1;
     const Vec3 axis = axis_of(light);
     const Vec3 from_light = point - light.location;
     const Real along = glm::dot(from_light, axis);
     if (!(along > 0)) return 0;
-    if (light.kind == Light::Kind::cylinder) return cylinder_profile(light, glm::length(from_light - along * axis));
-    return spot_profile(light, light.parallel ? Real(1) : along / glm::length(from_light));
+    const Real from_axis = glm::length(from_light - along * axis);
+    if (light.kind == Light::Kind::cylinder) return cylinder_profile(light, from_axis);
+    return light.parallel ? Real(1) : spot_profile(light, along, from_axis);
     //< 2.7
 }
 
