@@ -61,7 +61,7 @@ bool is_parallel(const Light& light) { return light.parallel || light.kind == Li
 }  // namespace
 //< hidden
 
-// ---- Task 2.1: colour ------------------------------------------------------------------------------------------------
+// ---- Task 2.1: colour -----------------------------------------------------------------------------------------------
 
 Color pigment_at(const Scene& scene, const Pigment& pigment, const Vec3& point) {
     //> 2.1 The pigment's colour. A checker is looked up in pattern space, and 1e-10 is added to every coordinate
@@ -80,17 +80,19 @@ Vec3 facing(const Vec3& normal, const Vec3& to_viewer) {
     //< 2.1
 }
 
-// ---- Tasks 2.2 to 2.5: what the surface does with light --------------------------------------------------------------
+// ---- Tasks 2.2 to 2.5: what the surface does with light -------------------------------------------------------------
 
 Radiance ambient(const Surface& surface, const Radiance& ambient_light) {
-    //> 2.2 Light without a source: the finish's ambient times the scene's ambient light, and its emission; both tinted.
+    //> 2.2 Light without a source: the finish's ambient times the scene's ambient light, and its emission. The
+    //>   surface's colour and opacity tint both.
     const Finish& finish = *surface.finish;
     return surface.opacity * surface.color * (finish.ambient * ambient_light + finish.emission);
     //< 2.2
 }
 
 Radiance diffuse(const Surface& surface, const Illumination& light) {
-    //> 2.3 Lambert's law: the finish's diffuse times n . l, tinted by surface and light. Nothing from behind.
+    //> 2.3 Lambert's law: the finish's diffuse times n . l, tinted by the surface's colour and opacity and by the
+    //>   light. Nothing from behind.
     const Real n_dot_l = cosine(surface.normal, light.to_light);
     if (!(n_dot_l > 0)) return Radiance(0.0f);
     const float strength = surface.opacity * surface.finish->diffuse * static_cast<float>(n_dot_l);
@@ -99,8 +101,8 @@ Radiance diffuse(const Surface& surface, const Illumination& light) {
 }
 
 Radiance phong(const Surface& surface, const Illumination& light) {
-    //> 2.4 A highlight around the mirror direction r = 2 (n . v) n - v of the viewer: phong (r . l)^phong_size, in the
-    //>   highlight's colour. Nothing from behind, nothing where r . l is not positive.
+    //> 2.4 A highlight around the mirror direction r = 2 (n . v) n - v of the viewer: phong (r . l)^phong_size,
+    //>   in the highlight's colour. Nothing from behind, nothing where r . l is not positive.
     const Finish& finish = *surface.finish;
     if (!(finish.phong > 0) || !(cosine(surface.normal, light.to_light) > 0)) return Radiance(0.0f);
     const Vec3 mirrored = 2 * cosine(surface.normal, surface.to_viewer) * surface.normal - surface.to_viewer;
@@ -128,8 +130,9 @@ Radiance blinn(const Surface& surface, const Illumination& light) {
 }
 
 Radiance highlight_color(const Surface& surface, const Illumination& light) {
-    //> 2.5 The light's colour; on metal, moved towards the surface's by metallic (1 - F). F rises from 0 at the normal to
-    //>   1 at grazing: F = 0.014567225 / (x - 1.12)^2 - 0.011612903 between 0 and 1, x = angle(n, l) / 90 degrees.
+    //> 2.5 The light's colour; on metal, moved towards the surface's by metallic (1 - F). F rises from 0 at the
+    //>   normal to 1 at grazing: F = 0.014567225 / (x - 1.12)^2 - 0.011612903, kept between 0 and 1, with
+    //>   x = angle(n, l) / 90 degrees.
     const float metallic = surface.finish->metallic;
     if (!(metallic > 0)) return light.radiance;
     const Real n_dot_l = std::clamp(cosine(surface.normal, light.to_light), Real(-1), Real(1));
@@ -140,10 +143,11 @@ Radiance highlight_color(const Surface& surface, const Illumination& light) {
     //< 2.5
 }
 
-// ---- Tasks 2.6 to 2.8: what a light sends ----------------------------------------------------------------------------
+// ---- Tasks 2.6 to 2.8: what a light sends ---------------------------------------------------------------------------
 
 Real fading(const Light& light, Real distance) {
-    //> 2.6 How light fades with distance: 2 / (1 + (distance / fade_distance)^fade_power) when both are positive, else not.
+    //> 2.6 How light fades with distance: 2 / (1 + (distance / fade_distance)^fade_power) when both are positive;
+    //>   without them it does not: 1.
     if (!(light.fade_power > 0) || !(light.fade_distance > Real(1e-10))) return 1;
     const Real relative = std::abs(distance) / light.fade_distance;
     const Real grown = light.fade_power == 2 ? relative * relative : std::pow(relative, light.fade_power);
@@ -152,8 +156,8 @@ Real fading(const Light& light, Real distance) {
 }
 
 Real cone_of_light(const Light& light, const Vec3& point) {
-    //> 2.7 A spotlight is full within `radius` of its axis and ends at `falloff`, both angles; in between, a smooth step
-    //>   3 s^2 - 2 s^3 of the angle's cosine. All of it is multiplied by cosine^tightness. A cylinder light does the same
+    //> 2.7 A spotlight is full within `radius` of its axis and ends at `falloff`, both angles; in between, a smooth
+    //>   step 3 s^2 - 2 s^3 of the angle's cosine. All of it is multiplied by cosine^tightness. A cylinder light does the same
     //>   with distances from its axis; there, tightness is the exponent of 1 - distance / falloff. Neither lights what
     //>   lies behind it.
     if (light.kind == Light::Kind::point) return 1;
@@ -186,7 +190,7 @@ Illumination illuminate(const Light& light, const Vec3& point) {
     //< 2.8
 }
 
-// ---- Task 2.9: shadows -----------------------------------------------------------------------------------------------
+// ---- Task 2.9: shadows ----------------------------------------------------------------------------------------------
 
 bool in_shadow(const Intersector& intersector, const Surface& surface, const Illumination& light) {
     //> 2.9 Is the way from the point to the light blocked? What is nearer than kShadowTolerance to either end does not
@@ -205,11 +209,11 @@ bool any_occluder(const Scene& scene, const Ray& ray, Interval range) {
     //< 2.9
 }
 
-// ---- Task 2.10: the sum ----------------------------------------------------------------------------------------------
+// ---- Task 2.10: the sum ---------------------------------------------------------------------------------------------
 
 Radiance direct_light(const Scene& scene, const Intersector& intersector, const Surface& surface) {
-    //> 2.10 Ambient light once, and for every light that is not in shadow diffuse, phong and blinn. A shadowless light is
-    //>   never in shadow and makes no highlights. Do not ask for a shadow where no light would arrive anyway.
+    //> 2.10 Ambient light once, and for every light that is not in shadow diffuse, phong and blinn. A shadowless light
+    //>   is never in shadow and makes no highlights. Do not ask for a shadow where no light would arrive anyway.
     const Finish& finish = *surface.finish;
     Radiance sum = ambient(surface, scene.settings.ambient_light);
     if (!(finish.diffuse > 0) && !(finish.phong > 0) && !(finish.specular > 0)) return sum;

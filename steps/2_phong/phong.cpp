@@ -8,7 +8,7 @@
 
 namespace rays {
 
-// ---- Task 2.1: colour ------------------------------------------------------------------------------------------------
+// ---- Task 2.1: colour -----------------------------------------------------------------------------------------------
 
 Color pigment_at(const Scene& scene, const Pigment& pigment, const Vec3& point) {
     // Task 2.1: The pigment's colour. A checker is looked up in pattern space, and 1e-10 is added to every coordinate
@@ -21,21 +21,23 @@ Vec3 facing(const Vec3& normal, const Vec3& to_viewer) {
     return unfinished("2.1");
 }
 
-// ---- Tasks 2.2 to 2.5: what the surface does with light --------------------------------------------------------------
+// ---- Tasks 2.2 to 2.5: what the surface does with light -------------------------------------------------------------
 
 Radiance ambient(const Surface& surface, const Radiance& ambient_light) {
-    // Task 2.2: Light without a source: the finish's ambient times the scene's ambient light, and its emission; both tinted.
+    // Task 2.2: Light without a source: the finish's ambient times the scene's ambient light, and its emission. The
+    // surface's colour and opacity tint both.
     return unfinished("2.2");
 }
 
 Radiance diffuse(const Surface& surface, const Illumination& light) {
-    // Task 2.3: Lambert's law: the finish's diffuse times n . l, tinted by surface and light. Nothing from behind.
+    // Task 2.3: Lambert's law: the finish's diffuse times n . l, tinted by the surface's colour and opacity and by the
+    // light. Nothing from behind.
     return unfinished("2.3");
 }
 
 Radiance phong(const Surface& surface, const Illumination& light) {
-    // Task 2.4: A highlight around the mirror direction r = 2 (n . v) n - v of the viewer: phong (r . l)^phong_size, in the
-    // highlight's colour. Nothing from behind, nothing where r . l is not positive.
+    // Task 2.4: A highlight around the mirror direction r = 2 (n . v) n - v of the viewer: phong (r . l)^phong_size,
+    // in the highlight's colour. Nothing from behind, nothing where r . l is not positive.
     return unfinished("2.4");
 }
 
@@ -46,21 +48,23 @@ Radiance blinn(const Surface& surface, const Illumination& light) {
 }
 
 Radiance highlight_color(const Surface& surface, const Illumination& light) {
-    // Task 2.5: The light's colour; on metal, moved towards the surface's by metallic (1 - F). F rises from 0 at the normal to
-    // 1 at grazing: F = 0.014567225 / (x - 1.12)^2 - 0.011612903 between 0 and 1, x = angle(n, l) / 90 degrees.
+    // Task 2.5: The light's colour; on metal, moved towards the surface's by metallic (1 - F). F rises from 0 at the
+    // normal to 1 at grazing: F = 0.014567225 / (x - 1.12)^2 - 0.011612903, kept between 0 and 1, with
+    // x = angle(n, l) / 90 degrees.
     return unfinished("2.5");
 }
 
-// ---- Tasks 2.6 to 2.8: what a light sends ----------------------------------------------------------------------------
+// ---- Tasks 2.6 to 2.8: what a light sends ---------------------------------------------------------------------------
 
 Real fading(const Light& light, Real distance) {
-    // Task 2.6: How light fades with distance: 2 / (1 + (distance / fade_distance)^fade_power) when both are positive, else not.
+    // Task 2.6: How light fades with distance: 2 / (1 + (distance / fade_distance)^fade_power) when both are positive;
+    // without them it does not: 1.
     return unfinished("2.6");
 }
 
 Real cone_of_light(const Light& light, const Vec3& point) {
-    // Task 2.7: A spotlight is full within `radius` of its axis and ends at `falloff`, both angles; in between, a smooth step
-    // 3 s^2 - 2 s^3 of the angle's cosine. All of it is multiplied by cosine^tightness. A cylinder light does the same
+    // Task 2.7: A spotlight is full within `radius` of its axis and ends at `falloff`, both angles; in between, a smooth
+    // step 3 s^2 - 2 s^3 of the angle's cosine. All of it is multiplied by cosine^tightness. A cylinder light does the same
     // with distances from its axis; there, tightness is the exponent of 1 - distance / falloff. Neither lights what
     // lies behind it.
     return unfinished("2.7");
@@ -73,7 +77,7 @@ Illumination illuminate(const Light& light, const Vec3& point) {
     return unfinished("2.8");
 }
 
-// ---- Task 2.9: shadows -----------------------------------------------------------------------------------------------
+// ---- Task 2.9: shadows ----------------------------------------------------------------------------------------------
 
 bool in_shadow(const Intersector& intersector, const Surface& surface, const Illumination& light) {
     // Task 2.9: Is the way from the point to the light blocked? What is nearer than kShadowTolerance to either end does not
@@ -86,11 +90,11 @@ bool any_occluder(const Scene& scene, const Ray& ray, Interval range) {
     return unfinished("2.9");
 }
 
-// ---- Task 2.10: the sum ----------------------------------------------------------------------------------------------
+// ---- Task 2.10: the sum ---------------------------------------------------------------------------------------------
 
 Radiance direct_light(const Scene& scene, const Intersector& intersector, const Surface& surface) {
-    // Task 2.10: Ambient light once, and for every light that is not in shadow diffuse, phong and blinn. A shadowless light is
-    // never in shadow and makes no highlights. Do not ask for a shadow where no light would arrive anyway.
+    // Task 2.10: Ambient light once, and for every light that is not in shadow diffuse, phong and blinn. A shadowless light
+    // is never in shadow and makes no highlights. Do not ask for a shadow where no light would arrive anyway.
     return unfinished("2.10");
 }
 

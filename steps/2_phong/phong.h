@@ -7,6 +7,7 @@
 #include "core/intersector.h"
 #include "core/radiance.h"
 #include "core/scene.h"
+#include "core/unfinished.h"
 
 namespace rays {
 
