@@ -63,25 +63,25 @@ Real fading(const Light& light, Real distance) {
 }
 
 Real cone_of_light(const Light& light, const Vec3& point) {
-    // Task 2.7: A spotlight is full within `radius` of its axis and ends at `falloff`, both angles; in between, a smooth
-    // step 3 s^2 - 2 s^3 of the angle's cosine. All of it is multiplied by cosine^tightness. A cylinder light does the same
-    // with distances from its axis; there, tightness is the exponent of 1 - distance / falloff. Neither lights what
-    // lies behind it.
+    // Task 2.7: A spotlight is full within `radius` of its axis and ends at `falloff`, both angles; in between, a
+    // smooth step 3 s^2 - 2 s^3 of the angle's cosine. All of it is multiplied by cosine^tightness. A cylinder
+    // light does the same with distances from its axis; there, tightness is the exponent of
+    // 1 - distance / falloff. Neither lights what lies behind it.
     return unfinished("2.7");
 }
 
 Illumination illuminate(const Light& light, const Vec3& point) {
-    // Task 2.8: Direction and distance to the light, and its colour after fading and cone. From a parallel light (a cylinder
-    // light is one) all rays come along its axis, and the distance is the one to the plane across it; it may be
-    // negative. A light at the very point has no direction: it sends nothing.
+    // Task 2.8: Direction and distance to the light, and its colour after fading and cone. From a parallel light (a
+    // cylinder light is one) all rays come along its axis, and the distance is the one to the plane across it;
+    // it may be negative. A light at the very point has no direction: it sends nothing.
     return unfinished("2.8");
 }
 
 // ---- Task 2.9: shadows ----------------------------------------------------------------------------------------------
 
 bool in_shadow(const Intersector& intersector, const Surface& surface, const Illumination& light) {
-    // Task 2.9: Is the way from the point to the light blocked? What is nearer than kShadowTolerance to either end does not
-    // count: neither the surface itself nor what lies beyond the light.
+    // Task 2.9: Is the way from the point to the light blocked? What is nearer than kShadowTolerance to either end does
+    // not count: neither the surface itself nor what lies beyond the light.
     return unfinished("2.9");
 }
 
@@ -93,8 +93,8 @@ bool any_occluder(const Scene& scene, const Ray& ray, Interval range) {
 // ---- Task 2.10: the sum ---------------------------------------------------------------------------------------------
 
 Radiance direct_light(const Scene& scene, const Intersector& intersector, const Surface& surface) {
-    // Task 2.10: Ambient light once, and for every light that is not in shadow diffuse, phong and blinn. A shadowless light
-    // is never in shadow and makes no highlights. Do not ask for a shadow where no light would arrive anyway.
+    // Task 2.10: Ambient light once, and for every light that is not in shadow diffuse, phong and blinn. A shadowless
+    // light is never in shadow and makes no highlights. Do not ask for a shadow where no light would arrive anyway.
     return unfinished("2.10");
 }
 
