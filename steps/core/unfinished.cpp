@@ -18,20 +18,20 @@ std::pair<int, int> task_order(const std::string& id) {
     return {std::atoi(id.c_str()), dot == std::string::npos ? 0 : std::atoi(id.c_str() + dot + 1)};
 }
 
-void remember(const char* task, const std::source_location& where) {
+void remember(const char* task, const char* file, unsigned line) {
     const std::lock_guard lock(mutex);
     const auto known = std::any_of(tasks.begin(), tasks.end(), [&](const auto& t) { return t.task == task; });
-    if (!known) tasks.push_back({task, where.file_name(), where.line()});
+    if (!known) tasks.push_back({task, file, line});
 }
 
 }  // namespace
 
-Unfinished unfinished(const char* task, std::source_location where) {
+Unfinished unfinished(const char* task, const char* file, unsigned line) {
     // A starter asks for millions of rays: only the first of a run of equal tasks on a thread takes the lock.
     thread_local std::vector<const char*> seen;
     if (std::find(seen.begin(), seen.end(), task) == seen.end()) {
         seen.push_back(task);
-        remember(task, where);
+        remember(task, file, line);
     }
     if (!first_asked) first_asked = task;
     return {};

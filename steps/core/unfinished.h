@@ -1,7 +1,6 @@
 // How a starter says "a student has yet to write this".
 #pragma once
 
-#include <source_location>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,9 @@ struct Unfinished {
 };
 
 /// Notes that the task was asked for and is not written yet. The picture goes on: the renderer marks every pixel that
-/// needed it, and the program ends by naming each such task once, with file and line.
-Unfinished unfinished(const char* task, std::source_location where = std::source_location::current());
+/// needed it, and the program ends by naming each such task once, with file and line. (Clang 14 has no
+/// std::source_location; both compilers have these two.)
+Unfinished unfinished(const char* task, const char* file = __builtin_FILE(), unsigned line = __builtin_LINE());
 
 struct UnfinishedTask {
     std::string task;  ///< "1.3"
