@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "core/hit.h"
 #include "core/ray.h"
@@ -66,6 +67,9 @@ Ray ray_to_local(const Transform& transform, const Ray& ray);
 Vec3 normal_to_world(const Transform& transform, const Vec3& normal);
 
 // ---- Tasks 1.13, 1.14: reject early ----------------------------------------------------------------------------------
+
+/// A ball that contains all points; the radius is negative when there are none.
+BoundingSphere bounding_sphere(std::span<const Vec3> points);
 
 /// True when the ray certainly meets nothing of the ball in the range. Never true for a ball of negative radius.
 bool misses(const BoundingSphere& bound, const Ray& ray, Interval range);
