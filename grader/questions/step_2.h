@@ -1,0 +1,135 @@
+// What the questions of step 2 share: dice, scene text, judges, and the truth in double precision.
+//
+// The truth is written in other forms than the solution's (r . l from three cosines, n . h without h), so that one slip
+// does not hide in both.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "questions.h"
+
+namespace rays::grader::step_2 {
+
+using V = glm::dvec3;
+
+inline constexpr double kPi = std::numbers::pi;
+inline double radians(double degrees) { return degrees * kPi / 180; }
+
+/// Random numbers of a seed, the same on every machine.
+class Dice {
+public:
+    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+    double between(double low, double high);
+    /// A round number (three decimals), so that scenes are easy to read and exact in every reader.
+    double round_between(double low, double high);
+    int whole(int low, int high);  ///< both ends included
+    V unit();
+    V color();                 ///< every channel in [0.05, 1], three decimals
+    V position(double reach);  ///< every coordinate in [-reach, reach], three decimals
+
+private:
+    std::mt19937_64 engine_;
+};
+
+/// Some unit vector at a right angle to n, of length 1.
+V across(const V& n);
+/// The unit vector `angle` away from the unit vector n, turned by `turn` about it.
+V tilted(const V& n, double angle, double turn);
+
+// ---- Scene text -----------------------------------------------------------------------------------------------------
+
+std::string number(double v);     ///< the shortest text that reads back as the same double
+std::string numbers(const V& v);  ///< "x y z", for queries
+std::string vector(const V& v);   ///< "<x, y, z>", for scenes
+std::string rgb(const V& color);  ///< "rgb <r, g, b>"
+
+/// Version, gamma, the colour of ambient light, a camera.
+std::string header(const V& ambient_light = V(1));
+/// A sphere with a pigment and the words of its finish.
+std::string sphere(const V& center, double radius, const std::string& pigment, const std::string& finish,
+                   const std::string& modifiers = "");
+
+// ---- Judges ---------------------------------------------------------------------------------------------------------
+
+/// How far an answer may be from the truth: `absolute` plus `relative` times the largest number of the truth.
+struct Tolerance {
+    double relative;
+    double absolute;
+};
+/// Light is kept in float lanes, and a student may compute in float throughout; the half floats of the references
+/// resolve 5e-4. A fifth of that is far above float rounding and far below every mistake.
+inline constexpr Tolerance kLight{1e-4, 1e-6};
+/// Directions and factors in float arithmetic: some rounding errors of 6e-8.
+inline constexpr Tolerance kGeometry{2e-6, 2e-6};
+
+using Judge = std::function<Judgement(const Answer&)>;
+Judge close_to(const V& truth, Tolerance tolerance = kLight);
+Judge close_to(double truth, Tolerance tolerance);
+Judge says(bool truth);
+
+// ---- Truth ----------------------------------------------------------------------------------------------------------
+
+struct Finish {
+    V ambient{0}, emission{0};
+    double diffuse = 0, phong = 0, phong_size = 40, specular = 0, roughness = 0.05, metallic = 0;
+    std::string text() const;  ///< all of it, as SDL
+};
+
+double r_dot_l(const V& n, const V& l, const V& v);
+double n_dot_h(const V& n, const V& l, const V& v);
+/// POV-Ray's empirical Fresnel factor of `metallic`.
+double fresnel(double n_dot_l);
+V highlight_tint(const Finish& finish, const V& color, const V& n, const V& l);
+/// What light of colour 1 from l becomes on the way to v: diffuse and, unless `matt`, highlights.
+V shaded(const Finish& finish, const V& color, const V& n, const V& l, const V& v, bool matt = false);
+
+struct Lamp {
+    V location{0};
+    V color{1};
+    double fade_distance = 0, fade_power = 0;
+    bool shadowless = false;
+
+    std::string text() const;
+    double fading(double distance) const;
+    /// Colour that arrives at a point, unhindered.
+    V arriving(const V& point) const { return fading(glm::length(location - point)) * color; }
+    V towards(const V& point) const { return glm::normalize(location - point); }
+};
+
+// ---- Collecting -----------------------------------------------------------------------------------------------------
+
+/// Takes down questions of one task about one scene after another.
+class Notebook {
+public:
+    explicit Notebook(std::string task) : task_(std::move(task)) {}
+
+    void scene(std::string sdl) { scene_ = std::move(sdl); }
+    void ask(std::string query, std::string about, Judge judge) {
+        questions_.push_back({task_, scene_, std::move(query), std::move(about), std::move(judge)});
+    }
+    std::vector<Question> take() { return std::move(questions_); }
+
+private:
+    std::string task_, scene_;
+    std::vector<Question> questions_;
+};
+
+std::vector<Question> pigments(std::uint64_t seed);       // 2.1
+std::vector<Question> ambients(std::uint64_t seed);       // 2.2
+std::vector<Question> diffuses(std::uint64_t seed);       // 2.3
+std::vector<Question> phongs(std::uint64_t seed);         // 2.4
+std::vector<Question> blinns(std::uint64_t seed);         // 2.5
+std::vector<Question> fadings(std::uint64_t seed);        // 2.6
+std::vector<Question> cones(std::uint64_t seed);          // 2.7
+std::vector<Question> illuminations(std::uint64_t seed);  // 2.8
+std::vector<Question> shadows(std::uint64_t seed);        // 2.9
+std::vector<Question> sums(std::uint64_t seed);           // 2.10
+
+}  // namespace rays::grader::step_2
