@@ -139,18 +139,18 @@ Stretch stretch(const Control& k) {
 
 /// Newton's method for x = y = 0, kept within the piece. Nothing when the root lies outside of it.
 std::optional<Vec2> newton(const Control& whole, const Piece& piece) {
-    Vec2 uv = Real(0.5) * (piece.low + piece.high);
+    Vec2 uv = Real(0.5) * (piece.low + piece.high), off(0);
     for (int i = 0; i < 12; ++i) {
         const auto [p, du, dv] = evaluate(whole, uv);
         const Real det = du.x * dv.y - du.y * dv.x;
-        const Vec2 step = Vec2(dv.y * p.x - dv.x * p.y, du.x * p.y - du.y * p.x) / det;
-        const Vec2 target = uv - step, next = glm::clamp(target, piece.low, piece.high);
-        const Vec2 moved = glm::abs(next - uv), outside = glm::abs(target - next);
-        uv = next;
-        if (moved.x + moved.y <= 8 * kEpsilon)
-            return outside.x <= kSeam && outside.y <= kSeam ? std::optional(uv) : std::nullopt;
+        const Vec2 target = uv - Vec2(dv.y * p.x - dv.x * p.y, du.x * p.y - du.y * p.x) / det;
+        off = glm::abs(target - uv);
+        uv = glm::clamp(target, piece.low, piece.high);
+        if (off.x + off.y <= 8 * kEpsilon) break;
     }
-    return std::nullopt;  // NaN
+    // The last step must have been short: it was cut off when the root lies outside. Rounding may keep it above the
+    // bound of the loop where the patch is seen nearly edge-on. A NaN is not short.
+    return off.x <= kSeam && off.y <= kSeam ? std::optional(uv) : std::nullopt;
 }
 
 /// De Casteljau's algorithm at 1/2 for the four points at first, first + step, ...
