@@ -1,0 +1,132 @@
+#include "page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string_view>
+
+#include "core/error.h"
+#include "encoding.h"
+
+namespace rays::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kStyles[] = {"base.css", "layout.css", "checks.css", "pictures.css", "print.css"};
+// In this order: each builds on those before it.
+const char* const kScripts[] = {"dom.js",      "words.js",  "data.js",  "colors.js",  "pixels.js",
+                                "picture.js",  "viewer.js", "chart.js", "trees.js",   "check.js",
+                                "overview.js", "steps.js",  "theme.js", "main.js"};
+
+std::string read_text(const fs::path& file, const std::string& what_next) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw InputError(file.string() + ": cannot be read; " + what_next);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A source map would be asked for from outside of the page.
+std::string without_source_map(std::string script) {
+    const std::size_t at = script.rfind("//# sourceMappingURL");
+    if (at != std::string::npos) script.resize(at);
+    return script;
+}
+
+/// What stands in a script or style element must not end it.
+void check_inlinable(const std::string& text, const fs::path& file) {
+    std::string lower = text;
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
+    for (const char* end : {"</script", "</style", "<!--"})
+        if (lower.find(end) != std::string::npos)
+            throw InputError(fmt::format("{}: contains '{}' and cannot stand in a page", file.string(), end));
+}
+
+std::string hashes(const std::vector<std::string>& contents) {
+    std::string list;
+    for (const std::string& text : contents) list += fmt::format(" 'sha256-{}'", base64(sha256(text)));
+    return list;
+}
+
+std::string elements(const char* name, const std::vector<std::string>& contents) {
+    std::string html;
+    for (const std::string& text : contents) html += fmt::format("<{0}>{1}</{0}>\n", name, text);
+    return html;
+}
+
+std::string escaped(const std::string& text) {
+    std::string html;
+    for (const char c : text) {
+        if (c == '<')
+            html += "&lt;";
+        else if (c == '&')
+            html += "&amp;";
+        else
+            html += c;
+    }
+    return html;
+}
+
+/// One pass: what is filled in is not searched again.
+std::string filled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values) {
+    std::string out;
+    while (!page.empty()) {
+        const std::size_t open = page.find("{{");
+        const std::size_t close = open == std::string_view::npos ? open : page.find("}}", open);
+        out += page.substr(0, open);
+        if (close == std::string_view::npos) break;
+        out += values.at(std::string(page.substr(open + 2, close - open - 2)));
+        page.remove_prefix(close + 2);
+    }
+    return out;
+}
+
+}  // namespace
+
+PageParts read_parts(const fs::path& folder) {
+    const fs::path packages = folder / "node_modules";
+    const std::string install = "the report's JavaScript packages are not installed: run './rays demo', or 'npm ci' in " +
+                                folder.string();
+    const std::string sources = "it belongs to the sources of the report";
+    PageParts parts;
+    const auto add = [&](std::vector<std::string>& list, const fs::path& file, const std::string& what_next) {
+        list.push_back(without_source_map(read_text(file, what_next)));
+        check_inlinable(list.back(), file);
+    };
+    add(parts.styles, packages / "img-comparison-slider/dist/styles.css", install);
+    add(parts.styles, packages / "uplot/dist/uPlot.min.css", install);
+    add(parts.scripts, packages / "img-comparison-slider/dist/index.js", install);
+    add(parts.scripts, packages / "uplot/dist/uPlot.iife.min.js", install);
+    std::string style, script;
+    for (const char* name : kStyles) style += read_text(folder / "page" / name, sources);
+    for (const char* name : kScripts) script += read_text(folder / "page" / name, sources);
+    parts.styles.push_back(style);
+    parts.scripts.push_back(script);
+    check_inlinable(style, folder / "page");
+    check_inlinable(script, folder / "page");
+    parts.html = read_text(folder / "page/template.html", sources);
+    parts.notices = "img-comparison-slider\n\n" +
+                    read_text(folder / "licenses/img-comparison-slider.txt", sources) + "\n\nuPlot\n\n" +
+                    read_text(packages / "uplot/LICENSE", install);
+    return parts;
+}
+
+std::string assemble(const PageParts& parts, const std::string& results, const std::vector<PictureStore::Blob>& blobs) {
+    const std::string policy = fmt::format(
+        "default-src 'none'; script-src{}; style-src{}; img-src data: blob:; base-uri 'none'; form-action 'none'",
+        hashes(parts.scripts), hashes(parts.styles));
+    std::string pixels;
+    for (const auto& blob : blobs)
+        pixels += fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", blob.id, blob.base64);
+    return filled(parts.html, {{"csp", policy},
+                               {"styles", elements("style", parts.styles)},
+                               {"notices", escaped(parts.notices)},
+                               {"results", results},
+                               {"pixels", pixels},
+                               {"scripts", elements("script", parts.scripts)}});
+}
+
+}  // namespace rays::report

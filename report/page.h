@@ -1,0 +1,26 @@
+// The page as one text: template, styles, libraries and scripts inlined, and a policy that allows exactly these.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pictures.h"
+
+namespace rays::report {
+
+/// The parts of every page, read from this folder of the sources and from the npm packages below it.
+struct PageParts {
+    std::string html;                  ///< with {{csp}} {{styles}} {{notices}} {{results}} {{pixels}} {{scripts}}
+    std::vector<std::string> styles;   ///< each becomes one style element
+    std::vector<std::string> scripts;  ///< each becomes one script element
+    std::string notices;               ///< licences of the libraries
+};
+
+/// Throws InputError saying what to run when the npm packages are missing.
+PageParts read_parts(const std::filesystem::path& report_folder);
+
+/// results: JSON made by for_script().
+std::string assemble(const PageParts& parts, const std::string& results, const std::vector<PictureStore::Blob>& blobs);
+
+}  // namespace rays::report

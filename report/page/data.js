@@ -1,0 +1,42 @@
+// The results, and what the page asks of them.
+R.results = R.object(JSON.parse(document.getElementById("results").textContent));
+
+R.steps = R.list(R.results.steps).map(R.object).map((step, index) => ({
+    raw: step,
+    anchor: `step-${index}`,
+    name: R.isNumber(step.number) ? `Step ${step.number}` : R.text(step.id),
+    title: R.text(step.title) || R.text(step.id),
+    verdict: R.text(step.verdict),
+    tasks: R.list(step.tasks).map(R.object),
+    checks: R.list(step.checks).map(R.object).map((check, number) => ({
+        raw: check,
+        anchor: `check-${index}-${number}`,
+        title: R.text(check.title) || R.text(check.id),
+        verdict: R.text(check.verdict),
+        tone: R.verdict(check.verdict).tone,
+        image: check.image ? R.object(check.image) : null,
+        chart: check.chart ? R.object(check.chart) : null,
+    })),
+}));
+
+R.checks = R.steps.flatMap((step) => step.checks);
+R.needAttention = R.checks.filter((check) => check.tone !== "good");
+
+/** The task of a step by its id. */
+R.task = (step, id) => step.tasks.find((task) => task.id === id);
+
+/** 1_ray_casting/one_sphere.pov -> one sphere */
+R.sceneName = (path) => R.text(path).split("/").pop().replace(/\.pov$/, "").replaceAll("_", " ");
+
+/** One check a scene for the gallery: the one that went worst. */
+R.gallery = () => {
+    const order = {bad: 0, mixed: 1, idle: 2, good: 3};
+    const scenes = new Map();
+    for (const check of R.checks) {
+        if (!check.image || !(check.image.embedded?.student || check.image.embedded?.reference)) continue;
+        const key = R.text(check.image.scene) || check.anchor;
+        const known = scenes.get(key);
+        if (!known || order[check.tone] < order[known.tone]) scenes.set(key, check);
+    }
+    return [...scenes.values()];
+};

@@ -1,0 +1,17 @@
+// Puts the page together.
+(() => {
+    R.setTheme(R.remember("raysteps-theme"));
+    document.title = `Raysteps report: ${R.points(R.object(R.results.score).points)} of ${R.points(R.object(R.results.score).max)} points`;
+    document.getElementById("rail").append(...R.rail());
+    document.getElementById("main").append(...[R.hero(), R.galleryWall(), R.rubric(), ...R.steps.map(R.stepSection),
+        R.h("p", {class: "nothing-failed", text: R.needAttention.length ? "" : "Nothing failed: there is nothing to show under this filter."}), R.colophon()].filter(Boolean));
+    R.preparePrint();
+    Promise.all(R.pending).then(() => (document.documentElement.dataset.ready = "true"));
+    if (location.hash.length > 1) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+
+    // The step that is being read is marked in the rail.
+    const links = new Map([...document.querySelectorAll(".rail-list > li > a")].map((a) => [a.getAttribute("href").slice(1), a]));
+    const seen = new IntersectionObserver((entries) => entries.forEach((entry) => entry.isIntersecting && links.forEach((a, id) =>
+        id === entry.target.id ? a.setAttribute("aria-current", "true") : a.removeAttribute("aria-current"))), {rootMargin: "-20% 0px -70% 0px"});
+    links.forEach((_, id) => document.getElementById(id) && seen.observe(document.getElementById(id)));
+})();

@@ -1,0 +1,124 @@
+// The pictures of one check: student's beside POV-Ray's, the map of their difference, and what is under the pointer.
+// The parts share a scene: which pixel is looked at, and how bright the pictures are shown.
+R.pictureScene = (check) => {
+    const image = check.image;
+    const listeners = new Set();
+    const worst = R.object(image.worst);
+    const scene = {
+        image, student: null, reference: null, width: 4, height: 3, exposure: 0, outlines: true,
+        x: R.isNumber(worst.x) ? worst.x : null, y: R.isNumber(worst.y) ? worst.y : null,
+        tolerance: R.isNumber(image.tolerance) && image.tolerance > 0 ? image.tolerance : 5e-4,
+        worst: R.isNumber(worst.x) && R.isNumber(worst.y) ? worst : null,
+        onChange: (run) => listeners.add(run),
+        change: (what) => {
+            Object.assign(scene, what);
+            listeners.forEach((run) => run(what));
+        },
+    };
+    const size = image.embedded?.reference ?? image.embedded?.student ?? image;
+    if (R.isNumber(size.width) && R.isNumber(size.height)) [scene.width, scene.height] = [size.width, size.height];
+    scene.ready = R.pixels.pair(image).then(({student, reference}) => {
+        const sameSize = student && reference && student.width === reference.width && student.height === reference.height;
+        scene.change({student, reference, comparable: Boolean(sameSize)});
+    });
+    R.pending.push(scene.ready);
+    return scene;
+};
+R.pending = [];  // what has to be decoded before the page is whole
+
+/** Largest difference of a pixel's three channels; NaN when one is not a number. */
+R.pixelError = (scene, i) => {
+    let error = 0;
+    for (let c = 3 * i; c < 3 * i + 3; ++c) {
+        const d = Math.abs(scene.student.rgb[c] - scene.reference.rgb[c]);
+        if (!(d <= error)) error = d;
+        if (error !== error) return NaN;
+    }
+    return error;
+};
+
+/** A canvas that always shows that picture at the scene's exposure. */
+R.frameCanvas = (scene, whose, label) => {
+    const canvas = R.h("canvas", {class: "frame", role: "img", "aria-label": label, width: scene.width, height: scene.height});
+    const draw = () => {
+        const picture = scene[whose];
+        if (!picture) return;
+        [canvas.width, canvas.height] = [picture.width, picture.height];
+        const context = canvas.getContext("2d");
+        const data = context.createImageData(picture.width, picture.height);
+        const gain = 2 ** scene.exposure;
+        for (let i = 0, n = picture.width * picture.height; i < n; ++i) {
+            for (let c = 0; c < 3; ++c) data.data[4 * i + c] = R.colors.toByte(picture.rgb[3 * i + c], gain);
+            data.data[4 * i + 3] = 255;
+        }
+        context.putImageData(data, 0, 0);
+    };
+    draw();
+    scene.onChange((what) => ("exposure" in what || whose in what) && draw());
+    return canvas;
+};
+
+/** The pixel of a pointer event over a box that shows the whole picture. */
+R.pixelUnder = (scene, event, box) => {
+    const area = box.getBoundingClientRect();
+    const x = Math.floor((event.clientX - area.left) / area.width * scene.width);
+    const y = Math.floor((event.clientY - area.top) / area.height * scene.height);
+    return {x: Math.min(scene.width - 1, Math.max(0, x)), y: Math.min(scene.height - 1, Math.max(0, y))};
+};
+
+/** Rings around the worst pixel and the one that is looked at. */
+R.markers = (scene) => {
+    const ring = (name) => R.h("span", {class: `marker ${name}`, "aria-hidden": "true"});
+    const place = (element, x, y) => {
+        element.hidden = x === null || y === null;
+        element.style.left = `${(x + 0.5) / scene.width * 100}%`;
+        element.style.top = `${(y + 0.5) / scene.height * 100}%`;
+    };
+    const here = ring("here"), worst = ring("worst");
+    place(worst, scene.worst?.x ?? null, scene.worst?.y ?? null);
+    place(here, null, null);
+    scene.onChange((what) => "x" in what && place(here, scene.x, scene.y));
+    return [worst, here];
+};
+
+/** Both pictures under one slider. Arrow keys, Home and End move it, as does dragging. */
+R.comparison = (scene, title) => {
+    const both = scene.image.embedded?.student && scene.image.embedded?.reference;
+    const student = R.frameCanvas(scene, "student", `${title}: the student's picture`);
+    const reference = R.frameCanvas(scene, "reference", `${title}: POV-Ray's picture`);
+    const box = R.h("div", {class: "stage", style: {"aspect-ratio": `${scene.width} / ${scene.height}`}});
+    if (!both) {
+        const only = scene.image.embedded?.reference ? reference : scene.image.embedded?.student ? student : null;
+        box.append(only ?? R.h("span", {class: "missing", text: "No picture"}));
+        box.append(R.h("span", {class: "tag right", text: only === reference && only ? "POV-Ray" : only ? "Student" : ""}));
+        if (only !== student) box.append(R.h("span", {class: "tag left missing-tag", text: "No picture by the student"}));
+        return R.h("div", {class: "compare"}, box);
+    }
+    student.setAttribute("slot", "first");
+    reference.setAttribute("slot", "second");
+    const slider = R.h("img-comparison-slider", {role: "slider", tabindex: "0", "aria-label": `${title}: student's picture on the left, POV-Ray's on the right`,
+        "aria-valuemin": "0", "aria-valuemax": "100", "aria-valuenow": "50", "aria-valuetext": "50 % student", value: "50"}, student, reference);
+    const announce = () => {
+        const value = Math.round(slider.value);
+        slider.setAttribute("aria-valuenow", value);
+        slider.setAttribute("aria-valuetext", `${value} % student`);
+        box.style.setProperty("--split", `${slider.value}%`);
+    };
+    slider.addEventListener("slide", announce);
+    slider.addEventListener("keydown", (event) => {
+        const to = {Home: 0, End: 100, PageUp: slider.value + 10, PageDown: slider.value - 10}[event.key];
+        if (to === undefined) return;
+        event.preventDefault();
+        slider.value = Math.min(100, Math.max(0, to));
+        announce();
+    });
+    box.append(slider, R.h("span", {class: "tag left", text: "Student"}), R.h("span", {class: "tag right", text: "POV-Ray"}), ...R.markers(scene));
+    box.addEventListener("pointermove", (event) => scene.change(R.pixelUnder(scene, event, box)));
+    return R.h("div", {class: "compare"}, box);
+};
+
+/** For paper, where nothing slides. */
+R.printedPair = (scene, title) =>
+    R.h("div", {class: "printed", "aria-hidden": "true"},
+        ...[["student", "Student"], ["reference", "POV-Ray"]].filter(([whose]) => scene.image.embedded?.[whose])
+            .map(([whose, name]) => R.h("figure", {}, R.frameCanvas(scene, whose, title), R.h("figcaption", {text: name}))));

@@ -1,0 +1,49 @@
+// The steps: tasks with their points, then pictures, sweeps and questions.
+R.taskTable = (step) => {
+    if (step.tasks.length === 0) return null;
+    return R.h("div", {class: "scroll"}, R.h("table", {class: "score tasks"},
+        R.h("thead", {}, R.h("tr", {}, ...["Task", "Verdict", "Points", "", "Where to write"].map((text) => R.h("th", {scope: "col", text})))),
+        R.h("tbody", {}, ...step.tasks.map((task) => {
+            const tone = R.verdict(task.verdict).tone, file = R.text(task.file);
+            return R.h("tr", {"data-tone": tone, "data-state": tone === "good" ? "pass" : "open"},
+                R.h("th", {scope: "row"}, R.h("span", {class: "task-id", text: R.text(task.id)}), R.text(task.title)),
+                R.h("td", {}, R.badge(task.verdict)), R.h("td", {class: "points"}, R.h("b", {text: R.points(task.points)}), ` / ${R.points(task.max)}`),
+                R.h("td", {class: "bar-cell"}, R.bar(task.points, task.max, R.text(task.title))),
+                R.h("td", {class: "where"}, file && R.h("code", {text: file.split("/").pop() + (R.isNumber(task.line) ? `:${task.line}` : ""), title: file}), tone !== "good" && R.text(task.hint) && R.h("p", {class: "hint", text: R.text(task.hint)})));
+        }))));
+};
+
+R.stepSection = (step) => {
+    const groups = [["Pictures against POV-Ray's", "pictures", (c) => c.image], ["Where the method must hold", "charts", (c) => c.chart && !c.image], ["Questions and fresh scenes", "texts", (c) => !c.image && !c.chart]];
+    const section = R.h("section", {class: "step", id: step.anchor, "aria-labelledby": `${step.anchor}-title`},
+        R.h("div", {class: "section-head step-head"}, R.h("div", {}, R.h("p", {class: "kicker", text: step.name}), R.h("h2", {id: `${step.anchor}-title`, text: step.title})),
+            R.h("div", {class: "step-score"}, R.badge(step.verdict), R.h("span", {class: "points"}, R.h("b", {text: R.points(step.raw.points)}), ` / ${R.points(step.raw.max)}`))),
+        R.text(step.raw.message) && R.h("p", {class: "notice", text: R.text(step.raw.message)}), R.taskTable(step));
+    const order = {bad: 0, mixed: 1, idle: 2, good: 3};
+    for (const [title, name, belongs] of groups) {
+        const checks = step.checks.filter(belongs).sort((a, b) => order[a.tone] - order[b.tone]);
+        if (checks.length === 0) continue;
+        const good = checks.every((check) => check.tone === "good");
+        section.append(R.h("div", {class: "group", "data-state": good ? "pass" : "open"},
+            R.h("h3", {text: title}), R.h("div", {class: `checks ${name}`}, ...checks.map((check) => R.checkArticle(step, check)))));
+    }
+    if (step.checks.length > 0 && step.checks.every((check) => check.tone === "good")) section.append(R.h("p", {class: "all-passed", text: "Everything in this step passed."}));
+    return section;
+};
+
+R.rail = () => {
+    const link = (href, ...content) => R.h("a", {href}, ...content);
+    return [R.h("p", {class: "brand"}, R.svg("svg", {viewBox: "0 0 32 32", "aria-hidden": "true"}, R.svg("circle", {cx: 19, cy: 18, r: 8, class: "brand-ball"}), R.svg("path", {d: "M3 5l10 8.500M13 13.500l-9 13", class: "brand-ray"})), "Raysteps"),
+        R.h("ul", {class: "rail-list"},
+            R.h("li", {}, link("#overview", R.h("span", {text: "Score"}))),
+            R.gallery().length > 0 && R.h("li", {}, link("#pictures", R.h("span", {text: "Pictures"}))),
+            ...R.steps.map((step) => R.h("li", {}, link(`#${step.anchor}`, R.badge(step.verdict, {small: true}), R.h("span", {text: `${step.name} · ${step.title}`})),
+                R.h("ul", {class: "rail-tasks"}, ...step.tasks.map((task) => {
+                    const check = step.checks.find((c) => c.raw.task === task.id && c.tone !== "good") ?? step.checks.find((c) => c.raw.task === task.id);
+                    const tone = R.verdict(task.verdict).tone;
+                    return R.h("li", {"data-state": tone === "good" ? "pass" : "open"}, link(check ? `#${check.anchor}` : `#${step.anchor}`, R.badge(task.verdict, {small: true}),
+                        R.h("span", {text: `${R.text(task.id)} ${R.text(task.title)}`})));
+                })))),
+            R.h("li", {}, link("#machine", R.h("span", {text: "Machine and versions"})))),
+        R.h("div", {class: "rail-tools"}, R.filterSwitch(), R.expandSwitch(), R.themeSwitch())];
+};

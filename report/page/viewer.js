@@ -1,0 +1,159 @@
+// The map of errors with its legend, and the inspector of one pixel.
+R.errorMap = (scene, title) => {
+    const CELL = 4;  // canvas pixels a picture pixel: room for marks inside of it
+    const canvas = R.h("canvas", {class: "frame", width: scene.width * CELL, height: scene.height * CELL});
+    const box = R.h("div", {class: "stage map", tabindex: "0", role: "application", "aria-roledescription": "pixel inspector",
+        "aria-label": `${title}: error map. Arrow keys move the pixel, W goes to the worst one.`,
+        style: {"aspect-ratio": `${scene.width} / ${scene.height}`}}, canvas, ...R.markers(scene));
+
+    const draw = () => {
+        if (!scene.comparable) return;
+        const {width, height, student, reference} = scene;
+        [canvas.width, canvas.height] = [width * CELL, height * CELL];
+        const context = canvas.getContext("2d");
+        const line = R.color("--outline-mark");
+        for (let i = 0; i < width * height; ++i) {
+            const x = (i % width) * CELL, y = Math.floor(i / width) * CELL;
+            const error = R.pixelError(scene, i);
+            if (error !== error || error === Infinity) {
+                context.fillStyle = R.color.notANumber;
+                context.fillRect(x, y, CELL, CELL);
+                context.fillStyle = "#000";
+                context.fillRect(x, y, CELL / 2, CELL / 2);
+                context.fillRect(x + CELL / 2, y + CELL / 2, CELL / 2, CELL / 2);
+                continue;
+            }
+            const [r, g, b] = R.colors.at(R.colors.position(error, scene.tolerance));
+            context.fillStyle = `rgb(${r} ${g} ${b})`;
+            context.fillRect(x, y, CELL, CELL);
+            if (!scene.outlines) continue;
+            context.fillStyle = line;
+            if (student.marked(i)) {
+                context.fillRect(x, y, CELL, 1);
+                context.fillRect(x, y + CELL - 1, CELL, 1);
+                context.fillRect(x, y, 1, CELL);
+                context.fillRect(x + CELL - 1, y, 1, CELL);
+            } else if (reference.marked(i)) {
+                context.globalAlpha = 0.3;
+                context.fillRect(x + 1, y + 1, 2, 2);
+                context.globalAlpha = 1;
+            }
+        }
+    };
+    scene.onChange((what) => ("comparable" in what || "outlines" in what) && draw());
+    draw();
+
+    box.addEventListener("pointermove", (event) => scene.change(R.pixelUnder(scene, event, box)));
+    box.addEventListener("keydown", (event) => {
+        const step = event.shiftKey ? 10 : 1;
+        const [dx, dy] = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step]}[event.key] ?? [];
+        if (dx !== undefined) {
+            event.preventDefault();
+            scene.change({x: Math.min(scene.width - 1, Math.max(0, (scene.x ?? 0) + dx)),
+                          y: Math.min(scene.height - 1, Math.max(0, (scene.y ?? 0) + dy))});
+        } else if ((event.key === "w" || event.key === "W") && scene.worst) {
+            scene.change({x: scene.worst.x, y: scene.worst.y});
+        }
+    });
+    return R.h("figure", {class: "errors"}, box, R.errorLegend(scene));
+};
+R.color.notANumber = "#ff4fd8";
+
+R.errorLegend = (scene) => {
+    const {DECADES_BELOW, DECADES_ABOVE, at} = R.colors;
+    const strip = R.h("canvas", {class: "strip", width: 256, height: 1, "aria-hidden": "true"});
+    const context = strip.getContext("2d");
+    for (let i = 0; i < 256; ++i) {
+        context.fillStyle = `rgb(${at((i + 0.5) / 256).join(" ")})`;
+        context.fillRect(i, 0, 1, 1);
+    }
+    const tick = (at, text, name = "") => R.h("span", {class: `tick ${name}`, style: {left: `${at * 100}%`}, text});
+    const t = scene.tolerance;
+    const ticks = [tick(0, R.number(t / 10 ** DECADES_BELOW, 2), "first"), tick(0.5, `tolerance ${R.number(t, 2)}`, "middle"),
+                   tick(1, R.number(t * 10 ** DECADES_ABOVE, 2), "last")];
+    const key = (name, text) => R.h("span", {class: "key"}, R.h("i", {class: name, "aria-hidden": "true"}), text);
+    return R.h("figcaption", {class: "legend"},
+        R.h("div", {class: "scale", role: "img", "aria-label": `Colour scale of the error, logarithmic, the tolerance ${R.number(t, 2)} in the middle`}, strip, ...ticks),
+        R.h("p", {class: "keys"}, "Largest difference of R, G, B in linear radiance, so it does not depend on the exposure. ",
+            key("k-outline", "outline in the reference"), key("k-silhouette", "beyond tolerance, but within the reference's silhouette"),
+            key("k-nan", "not a number")));
+};
+
+/** Values of the pixel that is looked at, and its neighbourhood in both pictures. */
+R.inspector = (scene) => {
+    const rows = [["student", "Student"], ["reference", "POV-Ray"], ["difference", "Difference"]].map(([whose, name]) => {
+        const cells = [0, 1, 2].map(() => R.h("td"));
+        return {whose, cells, row: R.h("tr", {class: whose}, R.h("th", {scope: "row", text: name}), ...cells)};
+    });
+    const where = R.h("caption", {text: "Point at a picture"});
+    const verdict = R.h("p", {class: "pixel-verdict", "aria-live": "polite"});
+    const lenses = ["student", "reference"].map((whose) => ({whose, canvas: R.h("canvas", {class: "lens", width: 9, height: 9, role: "img", "aria-label": `${whose}: 9 by 9 pixels around`})}));
+
+    const valuesAt = (i) => {
+        const w = scene.worst;
+        // The grader's own numbers for the worst pixel have all their digits.
+        const exact = w && w.x === scene.x && w.y === scene.y;
+        const of = (whose) => {
+            const given = exact ? R.list(w[whose]) : [];
+            if (given.length === 3 && given.every(R.isNumber)) return given;
+            return scene[whose] ? [...scene[whose].rgb.subarray(3 * i, 3 * i + 3)] : null;
+        };
+        return {student: of("student"), reference: of("reference")};
+    };
+    const drawLens = ({whose, canvas}) => {
+        const picture = scene[whose], context = canvas.getContext("2d");
+        context.clearRect(0, 0, 9, 9);
+        if (!picture) return;
+        const gain = 2 ** scene.exposure;
+        for (let dy = -4; dy <= 4; ++dy)
+            for (let dx = -4; dx <= 4; ++dx) {
+                const x = scene.x + dx, y = scene.y + dy;
+                if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
+                const i = 3 * (y * picture.width + x);
+                context.fillStyle = `rgb(${[0, 1, 2].map((c) => R.colors.toByte(picture.rgb[i + c], gain)).join(" ")})`;
+                context.fillRect(dx + 4, dy + 4, 1, 1);
+            }
+    };
+    const judge = (difference, i) => {
+        const error = Math.max(...difference.map(Math.abs));
+        const times = error / scene.tolerance;
+        if (!(times <= 1) && scene.student.marked(i)) return ["mixed", "Beyond tolerance, but within POV-Ray's own silhouette here"];
+        if (times <= 1) return ["good", "Within tolerance"];
+        return ["bad", Number.isFinite(times) ? `${R.number(times, 2)} × the tolerance` : "Not a finite number"];
+    };
+    const show = () => {
+        if (scene.x === null || scene.y === null || !(scene.student || scene.reference)) return;
+        const i = scene.y * scene.width + scene.x;
+        const values = valuesAt(i);
+        values.difference = scene.comparable ? values.student.map((v, c) => v - values.reference[c]) : null;
+        where.textContent = `Pixel ${scene.x}, ${scene.y}` + (scene.worst?.x === scene.x && scene.worst?.y === scene.y ? " (the worst)" : "");
+        for (const {whose, cells} of rows)
+            cells.forEach((cell, c) => {
+                cell.textContent = values[whose] ? R.pixelNumber(values[whose][c]) : "–";
+                const beyond = whose === "difference" && values[whose] && !(Math.abs(values[whose][c]) <= scene.tolerance);
+                cell.classList.toggle("beyond", Boolean(beyond));
+            });
+        const [tone, words] = scene.comparable ? judge(values.difference, i) : ["idle", "Nothing to compare with"];
+        verdict.textContent = words;
+        verdict.dataset.tone = tone;
+        lenses.forEach(drawLens);
+    };
+    scene.onChange((what) => ("x" in what || "comparable" in what || "exposure" in what) && show());
+    show();
+    const head = R.h("thead", {}, R.h("tr", {}, R.h("th", {scope: "col"}, R.h("span", {class: "unseen", text: "Picture"})), ...["R", "G", "B"].map((c) => R.h("th", {scope: "col", text: c}))));
+    return R.h("div", {class: "inspector"}, R.h("div", {class: "values"}, R.h("table", {class: "pixel"}, where, head, R.h("tbody", {}, ...rows.map((r) => r.row))), verdict),
+        R.h("div", {class: "lenses"}, ...lenses.map(({whose, canvas}) => R.h("figure", {}, canvas, R.h("figcaption", {text: whose === "student" ? "Student" : "POV-Ray"})))));
+};
+
+R.pictureControls = (scene) => {
+    const output = R.h("output", {text: "0 EV"});
+    const exposure = R.h("input", {type: "range", min: "-6", max: "6", step: "0.5", value: "0", "aria-label": "Exposure of both pictures, in stops", on: {input: () => {
+        output.textContent = `${exposure.value > 0 ? "+" : ""}${exposure.value} EV`.replace("-", "−");
+        scene.change({exposure: Number(exposure.value)});
+    }}});
+    const outlines = R.h("input", {type: "checkbox", on: {change: () => scene.change({outlines: outlines.checked})}});
+    outlines.checked = true;
+    const worst = scene.worst && R.h("button", {type: "button", class: "quiet", text: "Go to the worst pixel", on: {click: () => scene.change({x: scene.worst.x, y: scene.worst.y})}});
+    return R.h("div", {class: "controls"}, R.h("label", {}, "Exposure ", exposure, output),
+        R.h("label", {}, outlines, " Mark silhouettes"), worst);
+};

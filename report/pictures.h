@@ -1,0 +1,62 @@
+// The pictures of the checks, as compact blobs of pixel values for the page.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "pixel_code.h"
+
+namespace rays::report {
+
+/// A frame, and where the reference has them the least and the greatest value around each pixel.
+struct Exr {
+    Picture frame;
+    Picture low, high;  ///< empty when the file has no channels min.* max.*
+};
+
+/// Reads R G B (and min.* max.*) as floats. Throws std::runtime_error with a message for the page: missing file, not a
+/// picture, channels missing, or more than 4 million pixels.
+Exr read_picture(const std::filesystem::path& file);
+
+/// Collects the blobs of a page. The same picture is kept once, however many checks show it.
+class PictureStore {
+public:
+    /// mantissa: bits kept of the student's values, at least kHalfMantissa.
+    PictureStore(std::filesystem::path folder, int mantissa) : folder_(std::move(folder)), mantissa_(mantissa) {}
+
+    /// Reads the pictures of results.json's `image` and says in image["embedded"] where they are:
+    /// {"reference": blob, "student": blob, "notes": [..]}; a blob is {"id","width","height","mantissa","gradient",
+    /// "color","base","base_mantissa"}. Never throws for a bad picture: that is a note.
+    /// `room` bytes of base64 may be added; a picture that does not fit is left out with a note.
+    void embed(nlohmann::json& image, std::size_t room);
+
+    struct Blob {
+        std::string id, base64;
+    };
+    const std::vector<Blob>& blobs() const { return blobs_; }
+    std::size_t bytes() const { return bytes_; }
+
+private:
+    struct Kept {
+        std::shared_ptr<const Exr> exr;
+        nlohmann::json description;
+    };
+    nlohmann::json embed_reference(const std::filesystem::path& file, std::size_t room);
+    nlohmann::json embed_student(const Picture& student, const Exr* reference, const nlohmann::json& reference_blob,
+                                 double tolerance, std::size_t room);
+    nlohmann::json keep(const Picture& picture, const PixelCode& code, const Bytes& marks, int mantissa,
+                        std::size_t room);
+
+    std::filesystem::path folder_;
+    int mantissa_;
+    std::size_t bytes_ = 0;
+    std::vector<Blob> blobs_;
+    std::map<std::string, Kept> references_;          ///< by path
+    std::map<std::string, nlohmann::json> students_;  ///< by hash of the values, reference and tolerance
+};
+
+}  // namespace rays::report

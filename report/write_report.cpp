@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "core/error.h"
+#include "page.h"
+#include "pictures.h"
+#include "report.h"
+#include "text.h"
+
+namespace rays {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t kMaxPage = 3'000'000;
+constexpr std::size_t kMaxInput = 256u << 20;
+constexpr int kMaxDepth = 32;  ///< what is nested deeper is no part of the schema and is dropped
+
+/// How much of everything is kept. Tried from the first to the last until the page is small enough.
+struct Detail {
+    std::size_t text_bytes;  ///< longest text
+    std::size_t failed;      ///< failed questions of a check
+    std::size_t passed;      ///< examples of passed ones
+};
+constexpr Detail kDetails[] = {{20'000, 60, 24}, {8'000, 40, 12}, {3'000, 20, 4}, {1'000, 8, 0}, {300, 3, 0}};
+constexpr std::size_t kMaxResults = 1'200'000;  ///< leaves most of the page to the pictures
+
+/// 13 bits are an eighth of the reference's rounding; 10 are the reference's own.
+constexpr int kMantissas[] = {13, 12, 11, 10};
+
+json read_results(const fs::path& file) {
+    std::error_code error;
+    const auto size = fs::file_size(file, error);
+    if (error) throw InputError(file.string() + ": cannot be read (" + error.message() + "); run './rays grade' first");
+    if (size > kMaxInput) throw InputError(file.string() + ": larger than 256 MB, so not a result of the grader");
+    std::ifstream in(file, std::ios::binary);
+    const auto shallow = [](int depth, json::parse_event_t, json&) { return depth <= kMaxDepth; };
+    json results = json::parse(in, shallow, false);
+    if (results.is_discarded() || !results.is_object())
+        throw InputError(file.string() + ": not JSON; grade again, and look at what wrote it");
+    const std::string schema = results.value("schema", json()).is_string() ? results["schema"].get<std::string>() : "";
+    if (schema.rfind("raysteps-results/1", 0) != 0)
+        throw InputError(fmt::format("{}: the schema is '{}', this program reads raysteps-results/1", file.string(),
+                                     report::harmless(schema, 100)));
+    return results;
+}
+
+/// Calls work(check) for every check of every step, whatever else the file holds.
+template <typename Work>
+void for_each_check(json& results, const Work& work) {
+    const auto each = [](json& object, const char* key, const auto& visit) {
+        if (!object.is_object() || !object.contains(key) || !object[key].is_array()) return;
+        for (json& item : object[key])
+            if (item.is_object()) visit(item);
+    };
+    each(results, "steps", [&](json& step) { each(step, "checks", work); });
+}
+
+void shorten_questions(json& check, const Detail& detail) {
+    if (!check.contains("questions") || !check["questions"].is_array()) return;
+    json kept = json::array();
+    std::size_t failed = 0, passed = 0;
+    for (json& question : check["questions"]) {
+        if (!question.is_object()) continue;
+        const bool ok = question.contains("ok") && question["ok"] == true;
+        if (ok) question.erase("scene");
+        if ((ok ? ++passed : ++failed) <= (ok ? detail.passed : detail.failed)) kept.push_back(std::move(question));
+    }
+    check["questions_passed"] = passed;
+    check["questions_failed"] = failed;
+    check["questions"] = std::move(kept);
+}
+
+/// Everything but the pictures, harmless and short enough.
+json shortened(const json& results) {
+    json kept;
+    for (const Detail& detail : kDetails) {
+        kept = results;
+        for_each_check(kept, [&](json& check) { shorten_questions(check, detail); });
+        report::make_harmless(kept, detail.text_bytes);
+        if (report::for_script(kept).size() <= kMaxResults) return kept;
+    }
+    throw InputError("results.json holds too many checks for one page");
+}
+
+/// Failed checks first: they are what the pixels are for.
+std::vector<json*> images_by_need(json& results) {
+    std::vector<json*> failed, passed;
+    for_each_check(results, [&](json& check) {
+        if (!check.contains("image") || !check["image"].is_object()) return;
+        const bool pass = check.contains("verdict") && check["verdict"] == "pass";
+        (pass ? passed : failed).push_back(&check["image"]);
+    });
+    failed.insert(failed.end(), passed.begin(), passed.end());
+    return failed;
+}
+
+std::string page_with(const report::PageParts& parts, json results, const fs::path& folder, int mantissa) {
+    const bool last_resort = mantissa == report::kHalfMantissa;
+    const std::size_t fixed = report::assemble(parts, report::for_script(results), {}).size();
+    report::PictureStore store(folder, mantissa);
+    const auto images = images_by_need(results);
+    // A blob's description and its element take less than this beside its bytes; so do the notes of a picture.
+    const std::size_t beside = fixed + 600 * images.size() + 2000;
+    const std::size_t budget = kMaxPage - std::min(kMaxPage, beside);
+    for (json* image : images) {
+        const std::size_t room = last_resort ? budget - std::min(budget, store.bytes()) : kMaxPage * 8;
+        store.embed(*image, room);
+    }
+    return report::assemble(parts, report::for_script(results), store.blobs());
+}
+
+void write_whole(const std::string& text, const fs::path& file) {
+    const fs::path partial = file.string() + ".partial";
+    std::error_code ignored;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
+    {
+        std::ofstream out(partial, std::ios::binary);
+        out << text;
+        out.close();
+        if (!out) {
+            fs::remove(partial, ignored);
+            throw InputError(file.string() + ": cannot be written; check that the folder is writable and has room");
+        }
+    }
+    std::error_code error;
+    fs::rename(partial, file, error);
+    if (error) {
+        fs::remove(partial, ignored);
+        throw InputError(file.string() + ": cannot be written (" + error.message() + ")");
+    }
+}
+
+}  // namespace
+
+void write_report(const fs::path& results_json, const fs::path& html) {
+    const report::PageParts parts = report::read_parts(RAYSTEPS_REPORT_FOLDER);
+    const json results = shortened(read_results(results_json));
+    std::string page;
+    for (const int mantissa : kMantissas) {
+        page = page_with(parts, results, results_json.parent_path(), mantissa);
+        if (page.size() < kMaxPage) break;
+    }
+    write_whole(page, html);
+}
+
+}  // namespace rays

@@ -1,0 +1,172 @@
+// Invented results of the grader: one run in which all is well, one that went wrong in every way, one that is hostile.
+import {execFileSync} from "node:child_process";
+import {mkdirSync, writeFileSync} from "node:fs";
+import {join} from "node:path";
+
+const SCENES = ["one_sphere", "concave_polygon", "polygon_with_hole", "inside_a_sphere", "far_small_sphere", "grazing_plane", "asymmetric",
+    "sheared_objects", "torus_knot", "bicubic_patch", "open_cone", "quadrics", "mesh_of_triangles", "highlight_study", "shadow_study",
+    "light_behind", "three_lights", "spotlight", "fading", "metallic", "checkers", "smooth_triangles", "parallel_light", "ambient_only", "blinn_and_phong"];
+const TASKS = {
+    1: [["1.1", "Camera rays", 6], ["1.2", "Plane", 4], ["1.3", "Sphere", 8], ["1.4", "Triangle", 6], ["1.5", "Polygon with holes", 8], ["1.6", "Quadric", 4], ["1.7", "Torus", 4]],
+    2: [["2.1", "Ambient and diffuse", 10], ["2.2", "Phong highlight", 10], ["2.3", "Shadow rays", 12], ["2.4", "Spotlight and fading", 8]],
+};
+const TOLERANCE = 5e-4;
+
+const tree = (kind) => ["camera ray from (0, 1, -5) along (0.124, -0.031, 0.9918): object 0 at t=4.21903, point (0.5232, 0.8692, -0.8155), normal (0.4, 0.25, -0.88) -> radiance (0.41, 0.22, 0.09)",
+    `  shadow ray from (0.5232, 0.8692, -0.8155) along (0.577, 0.577, -0.577): ${kind === "student" ? "blocked" : "free"}`,
+    "  shadow ray from (0.5232, 0.8692, -0.8155) along (-0.7, 0.71, 0.1): free"].join("\n") + "\n";
+
+const sweep = (naiveBreaksAt, student) => ({
+    title: "Sphere of radius 1, seen from farther and farther away", x_label: "distance / radius", y_label: "relative error of t", log_x: true, log_y: true, pass_from: 1, pass_to: 1e8,
+    series: [["solution", "solution", (x) => 1.1e-16 * Math.sqrt(Math.log10(x) + 1)], ["student", "student", student], ["textbook formula", "naive", (x) => (x > naiveBreaksAt ? null : Math.min(1, 1e-16 * x * x))]]
+        .map(([name, role, f]) => ({name, role, points: Array.from({length: 13}, (_, i) => [10 ** (i * 0.75), f(10 ** (i * 0.75))])})),
+});
+
+const image = (scene, number, mistake = 0) => ({
+    scene: `${number < 13 ? "1_ray_casting" : "2_phong"}/${scene}.pov`, student: `pictures/student-${number}-${mistake}.exr`, reference: `pictures/reference-${number}.exr`,
+    width: 160, height: 120, pixels: 19200, beyond_rounding: mistake ? 612 : 3, on_silhouettes: mistake ? 9 : 3, max_error: mistake ? 0.7013 : 0.00024, rmse: mistake ? 0.031 : 0.00006, tolerance: TOLERANCE,
+    worst: {x: 101, y: 44, student: [0.25, 0.5, 0.125], reference: [0.2501, 0.5001, 0.1249]},
+});
+
+const questions = (task, failed) => Array.from({length: 24}, (_, i) => ({
+    about: `task ${task}: ${["origin inside the sphere: the far root", "grazing within one ulp", "a miss stays a miss", "the range ends before the hit"][i % 4]}`,
+    query: `nearest 0 0 ${-5 - i} 0 0 1 1e-6 inf`, scene: "camera { location <0, 0, -5> }\nsphere { <0, 0, 0>, 1 pigment { color rgb <1, 0.5, 0.2> } }\n",
+    expected: `hit ${(4 + i).toFixed(12)} 0 0 -1`, answer: i < failed ? `hit ${(6 + i).toFixed(12)} 0 0 1` : `hit ${(4 + i).toFixed(12)} 0 0 -1`, ok: i >= failed,
+}));
+
+const base = () => ({
+    schema: "raysteps-results/1", created: "2026-01-31T12:00:00Z", submission: {name: "working copy", from: "solution"},
+    machine: {cpu: "AMD EPYC 7B13", cores: 2, os: "Debian GNU/Linux 12 (bookworm)"}, versions: {raysteps: "0.1.0", povray: "3.7.0.10.unofficial", compiler: "GCC 12.2.0", real: "double"},
+    sandbox: {tier: "limits", limits: {cpu_s: 20, memory_mb: 2048, processes: 64, output_mb: 64}}, seed: 123, seconds: 12.34, status: "graded", message: "",
+});
+
+const check = (task, kind, title, verdict, more) => ({id: `${task}.${kind}`, task, kind, mode: "isolated", title, verdict, points: verdict === "pass" ? 4 : 0, max: 4,
+    message: "", reproduce: `./rays grade ${task[0]} --seed 123`, seconds: 0.41, diagnosis: [], ...more});
+
+const step = (number, checks) => {
+    const tasks = TASKS[number].map(([id, title, max]) => {
+        const bad = checks.find((c) => c.task === id && c.verdict !== "pass");
+        return {id, title, max, points: bad ? 0 : max, verdict: bad ? bad.verdict : "pass", hint: "Which of the two roots is the first one in front of the origin?", file: `steps/${number}_x/file.cpp`, line: 40 + 13 * Number(id[2])};
+    });
+    const sum = (key) => tasks.reduce((s, t) => s + t[key], 0);
+    return {id: number === 1 ? "1_ray_casting" : "2_phong", number, title: number === 1 ? "Ray casting" : "Phong", verdict: sum("points") === sum("max") ? "pass" : sum("points") ? "partial" : "fail",
+        points: sum("points"), max: sum("max"), tasks, checks};
+};
+
+const finished = (results) => {
+    const sum = (key) => results.steps.reduce((s, t) => s + t[key], 0);
+    results.score = {points: sum("points"), max: sum("max")};
+    results.rubric = [["spheres", "Spheres", 20], ["polygons", "Polygons", 20], ["phong", "Phong", 20], ["pictures", "Representative pictures", 20], ["reflection", "Recursive reflection", 20]]
+        .map(([id, title, max], i) => ({id, title, max, points: i < 3 ? max * sum("points") / sum("max") : 0, extra: false, note: i < 3 ? "" : "comes with a later step"}));
+    return results;
+};
+
+const numberOf = (i) => (i < 13 ? 1 : 2);
+const taskOf = (i) => TASKS[numberOf(i)][i % TASKS[numberOf(i)].length][0];
+
+export const good = () => {
+    const results = base();
+    results.steps = [1, 2].map((number) => step(number, [
+        ...SCENES.flatMap((scene, i) => (numberOf(i) === number ? [check(taskOf(i), "image", scene.replaceAll("_", " "), "pass", {message: "Every pixel within rounding but 3 on silhouettes.", image: image(scene, i)})] : [])),
+        ...SCENES.flatMap((scene, i) => (numberOf(i) === number ? [check(taskOf(i), "image", scene.replaceAll("_", " "), "pass", {mode: "all mine", points: 0, max: 0, message: "Every pixel within rounding but 3 on silhouettes.", image: image(scene, i)})] : [])),
+        ...TASKS[number].map(([id, title]) => check(id, "unit", title, "pass", {message: "24 of 24 questions answered right.", questions: questions(id, 0)})),
+        ...TASKS[number].slice(0, 3).map(([id, title]) => check(id, "stability", `${title}: distance`, "pass", {message: "Holds within the stated range.", chart: sweep(1e6, (x) => 1.4e-16 * Math.sqrt(Math.log10(x) + 1))})),
+    ]));
+    return finished(results);
+};
+
+export const wrong = () => {
+    const results = good();
+    results.submission = {name: "ada", from: "student"};
+    const [one, two] = results.steps.map((s) => s.checks);
+    const break_ = (list, kind, nth, verdict, change) => {
+        const found = list.filter((c) => c.kind === kind)[nth];
+        Object.assign(found, {verdict, points: 0}, change);
+        return found;
+    };
+    const sphere = break_(one, "image", 0, "fail", {message: "612 of 19200 pixels differ by more than rounding, 9 of them on silhouettes; the largest difference is 0.7013 at pixel (101, 44).",
+        diagnosis: [{kind: "mutant", mutant: "M2.4", text: "The picture equals the one obtained when the highlight is left out."}, {kind: "tree", text: "depth 1: the shadow ray is blocked, the solution's is free"}, {kind: "hint", text: "What is the sign of the dot product at the terminator?"}]});
+    sphere.image = {...image(SCENES[0], 0, 1), trees: {student: tree("student"), solution: tree("solution"), first_difference: "depth 1: shadow ray to light 0: the student's is blocked, the solution's is free"}};
+    break_(one, "image", 1, "fail", {message: "The picture is shifted by one pixel to the left.", diagnosis: [{kind: "picture", text: "The best integer shift is (1, 0): rays start at pixel corners."}]}).image = image(SCENES[1], 1, 2);
+    break_(one, "unit", 2, "fail", {message: "17 of 24 questions answered right.", questions: questions("1.3", 7)});
+    break_(one, "unit", 5, "not started", {message: "unfinished 1.6 steps/1_ray_casting/ray_casting.cpp:118", questions: []});
+    break_(one, "unit", 6, "crash", {message: "The program ended by signal 11 (segmentation fault) after 3 answers."});
+    break_(one, "stability", 0, "fail", {message: "Fails from a distance of 1e6 on; the stated range ends at 1e8.", chart: sweep(1e5, (x) => (x > 2e6 ? null : 3e-16 * x))});
+    break_(two, "image", 0, "partial", {points: 2, message: "The highlight is too wide."}).image = {...image(SCENES[13], 13), student: "pictures/student-1-1.exr", reference: "pictures/reference-1.exr", beyond_rounding: 2031, max_error: 0.61};
+    break_(two, "unit", 1, "time-out", {message: "No answer within 20 s of processor time."});
+    break_(two, "unit", 2, "infrastructure error", {message: "The sandbox could not be started; this costs no points."});
+    results.steps = [step(1, one), step(2, two)];
+    return finished(results);
+};
+
+export const HOSTILE = `</script><script>globalThis.pwned=1</script><img src=x onerror="globalThis.pwned=1"><style>*{display:none}</style>{{results}}<!--\u2028\u2029\u001b[31mred\u001b[0m\u202egnp.exe\u0000\u0007&lt;b&gt;`;
+
+export const hostile = () => {
+    const results = wrong();
+    const poison = (value, key = "") => {
+        if (typeof value === "string") return ["schema", "verdict", "student", "reference", "kind", "role", "status", "mode"].includes(key) ? value : HOSTILE + value;
+        if (Array.isArray(value)) return value.map((item) => poison(item, key));
+        if (value && typeof value === "object") return Object.fromEntries(Object.entries(value).map(([k, v]) => [k, poison(v, k)]));
+        return value;
+    };
+    const poisoned = poison(results);
+    poisoned.steps[0].tasks.forEach((t, i) => (t.id = results.steps[0].tasks[i].id));
+    const [one, two] = poisoned.steps.map((s) => s.checks);
+    const images = one.filter((c) => c.image);
+    images[0].image.student = "pictures/student-0-3.exr";  // NaN and Inf
+    images[1].image.student = "pictures/absent.exr";
+    images[2].image.student = "pictures/empty.exr";
+    images[3].image.student = "pictures/not-a-picture.exr";
+    images[4].image.student = "pictures/absurd.exr";
+    images[5].image.student = "pictures/cut.exr";
+    images[6].image.reference = "pictures/absent.exr";
+    images[7].image.student = "pictures/other-size.exr";
+    images.slice(0, 8).forEach((c) => (c.verdict = "fail"));
+    one.find((c) => c.kind === "unit").message = "A".repeat(10_000_000);
+    two.find((c) => c.kind === "unit").questions[0].answer = "\u001b]0;title\u0007" + "B".repeat(10_000_000);
+    two.find((c) => c.kind === "unit").verdict = "a verdict nobody knows";
+    poisoned.steps.push({id: 7, title: null, checks: [null, 3, {title: ["x"], verdict: {}, image: {}, chart: {series: [{points: [[null, 1], ["x"], 4]}]}, questions: [null, "q"], diagnosis: "d"}], tasks: [null]}, "step", null);
+    poisoned.machine = null;
+    poisoned.__proto__x = {"<img>": "</script>"};
+    return poisoned;
+};
+
+/** An EXR file that promises 10^9 x 10^9 pixels: its header alone, valid up to there. */
+const absurdExr = () => {
+    const parts = [Buffer.from([0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0])];
+    const attribute = (name, type, value) => {
+        const size = Buffer.alloc(4);
+        size.writeInt32LE(value.length);
+        parts.push(Buffer.from(`${name}\0${type}\0`), size, value);
+    };
+    const ints = (...list) => Buffer.from(new Int32Array(list).buffer);
+    const channel = (name) => Buffer.concat([Buffer.from(`${name}\0`), ints(2, 0, 1, 1)]);
+    attribute("channels", "chlist", Buffer.concat([channel("B"), channel("G"), channel("R"), Buffer.from([0])]));
+    attribute("compression", "compression", Buffer.from([0]));
+    for (const box of ["dataWindow", "displayWindow"]) attribute(box, "box2i", ints(0, 0, 999_999_999, 999_999_999));
+    attribute("lineOrder", "lineOrder", Buffer.from([0]));
+    attribute("pixelAspectRatio", "float", Buffer.from(new Float32Array([1]).buffer));
+    attribute("screenWindowCenter", "v2f", Buffer.from(new Float32Array([0, 0]).buffer));
+    attribute("screenWindowWidth", "float", Buffer.from(new Float32Array([1]).buffer));
+    return Buffer.concat([...parts, Buffer.from([0])]);
+};
+
+/** Writes the pictures and the three results below the folder; returns their paths by name. */
+export const writeFixtures = async (folder, makePictures) => {
+    const {readFileSync} = await import("node:fs");
+    const pictures = join(folder, "pictures");
+    mkdirSync(pictures, {recursive: true});
+    execFileSync(makePictures, [pictures], {stdio: "inherit"});
+    writeFileSync(join(pictures, "empty.exr"), "");
+    writeFileSync(join(pictures, "not-a-picture.exr"), "<script>alert(1)</script>".repeat(1000));
+    writeFileSync(join(pictures, "absurd.exr"), absurdExr());
+    writeFileSync(join(pictures, "cut.exr"), readFileSync(join(pictures, "student-2-0.exr")).subarray(0, 3000));
+    const paths = {};
+    for (const [name, make] of Object.entries({good, wrong, hostile})) {
+        paths[name] = join(folder, `${name}.json`);
+        writeFileSync(paths[name], JSON.stringify(make()));
+    }
+    return paths;
+};
+
+if (process.argv[1] === new URL(import.meta.url).pathname) console.log(await writeFixtures(process.argv[2], process.argv[3]));
