@@ -1,5 +1,5 @@
-// Both sides of thin things: the normal is turned to the viewer, and light from the other side does not come through. A
-// lamp above and behind; three open screens, one seen on its lit side, one on its dark side, one edge on.
+// Both sides of thin things: the normal is turned to the viewer, and light from the other side does not come through. The
+// lamp hangs above and behind: the yellow screen is seen on its lit side, disc, triangle and bowl on their dark ones.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 camera { location <0.4, 2.7, -9> right x*image_width/image_height up y angle 46 look_at <0.1, 0.9, 0> }
