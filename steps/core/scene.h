@@ -17,6 +17,16 @@ enum class ShapeKind : std::uint8_t {
     sphere, plane, triangle, smooth_triangle, polygon, mesh, box, disc, cone, quadric, torus, bicubic_patch
 };
 
+/// What an object's `photons { }` says; step 6 shoots photons at targets.
+struct ObjectPhotons {
+    bool target = false;
+    Real spacing = 1;  ///< multiplies the spacing of GlobalSettings; smaller is denser
+    bool reflection = false;
+    bool refraction = false;
+    bool collect = true;  ///< stores and shows photons
+    bool pass_through = false;
+};
+
 /// One visible thing: a shape, by kind and index into the scene's array of that kind, and what it wears. Unions are
 /// already taken apart, and simple transforms are already worked into the shape's numbers.
 struct Object {
@@ -28,6 +38,7 @@ struct Object {
     std::uint32_t transform = kNone;  ///< into Scene::transforms, or the shape stands in world space already
     std::uint32_t material = 0;       ///< into Scene::materials
     std::uint32_t interior = kNone;   ///< into Scene::interiors
+    std::uint32_t photons = kNone;    ///< into Scene::photons
     std::uint32_t clip = kNone;       ///< into Scene::clips: only the part inside all of the list is there
 };
 
@@ -51,6 +62,8 @@ struct GlobalSettings {
     float adc_bailout = 1.0f / 255;
     float assumed_gamma = 1;
     bool photons = false;
+    Real photon_spacing = 0;  ///< distance between photons on a target at distance 1; 0: photon_count says how many
+    int photon_count = 0;
 };
 
 struct Scene {
@@ -78,6 +91,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Interior> interiors;
     std::vector<ClipList> clips;
+    std::vector<ObjectPhotons> photons;
     std::vector<Media> atmosphere;  ///< media outside of every object
     std::vector<Varying> varying;
     std::vector<std::string> notes;  ///< what the reader accepted without effect, with file:line:column

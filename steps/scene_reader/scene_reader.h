@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,7 @@ struct ReadOptions {
     int frame_number = 0;                                    ///< `frame_number`
     std::vector<std::pair<std::string, double>> declared;    ///< as POV-Ray's Declare=name=value
     std::vector<std::filesystem::path> include_folders;      ///< searched after the scene's own; empty: POV-Ray's, if any
+    std::function<void(const std::string&)> debug;           ///< gets what the scene says with #debug; empty: nobody
     bool tabulate = true;                                    ///< false: Time and Wavelength stay at their first value
 };
 

@@ -1,0 +1,127 @@
+// Finishes.
+#include <fmt/format.h>
+
+#include "scene_reader/statements.h"
+
+namespace rays::sdl {
+
+namespace {
+
+/// `albedo` makes a number mean reflected energy; it is worked into the number when the finish ends.
+struct Albedo {
+    bool phong = false;
+    bool specular = false;
+};
+
+float single(Interpreter& in) { return static_cast<float>(in.number()); }
+
+void read_reflection(Interpreter& in, Reflection& reflection) {
+    reflection.falloff = 1;
+    reflection.fresnel = false;
+    if (!in.accept('{')) {
+        reflection.min = reflection.max = in.rgb();
+        return;
+    }
+    reflection.min = in.rgb();
+    in.comma();
+    const bool has_max = in.color_follows();
+    reflection.max = has_max ? in.rgb() : reflection.min;
+    for (;;) {
+        const Place place = in.peek().place;
+        if (in.accept(Word::fresnel_)) {
+            reflection.fresnel = in.flag();
+            if (reflection.fresnel && !has_max) reflection.min = Radiance(0.0f);
+        } else if (in.accept(Word::falloff_)) {
+            reflection.falloff = single(in);
+        } else if (in.accept(Word::exponent_)) {
+            const double exponent = in.number();
+            if (!(exponent > 0)) in.fail(place, "the exponent of a reflection must be greater than 0");
+            reflection.exponent = static_cast<float>(1 / exponent);
+        } else if (in.accept(Word::metallic_)) {
+            reflection.metallic = static_cast<float>(in.number_or(1));
+        } else {
+            break;
+        }
+    }
+    if (!in.accept('}')) in.unexpected("fresnel, falloff, exponent, metallic or '}' in a reflection");
+}
+
+/// Words that must have the value that does nothing.
+void only(Interpreter& in, double allowed) {
+    const Token word = in.take();
+    const double value = in.number();
+    if (value != allowed) {
+        in.fail(word, fmt::format("'{} {}' is not in the subset; only {} {} is", word.text, value, word.text, allowed));
+    }
+}
+
+void read_diffuse(Interpreter& in, Finish& finish) {
+    in.accept(Word::albedo_);  // with brilliance 1 it changes nothing
+    finish.diffuse = single(in);
+    in.comma();
+    if (in.number_follows() && in.number() != 0) {
+        in.fail(in.peek(), "diffuse light through to the back is not in the subset; give diffuse one number");
+    }
+}
+
+bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
+    if (in.peek().kind != Token::Kind::word) return false;
+    const Place place = in.peek().place;
+    switch (in.peek().word) {
+        case Word::ambient_: in.take(); finish.ambient = in.rgb(); return true;
+        case Word::emission_: in.take(); finish.emission = in.rgb(); return true;
+        case Word::diffuse_: in.take(); read_diffuse(in, finish); return true;
+        case Word::phong_:
+            in.take();
+            albedo.phong = in.accept(Word::albedo_) || albedo.phong;
+            finish.phong = single(in);
+            return true;
+        case Word::phong_size_: in.take(); finish.phong_size = single(in); return true;
+        case Word::specular_:
+            in.take();
+            albedo.specular = in.accept(Word::albedo_) || albedo.specular;
+            finish.specular = single(in);
+            return true;
+        case Word::roughness_:
+            in.take();
+            finish.roughness = single(in);
+            if (!(finish.roughness > 0)) in.fail(place, "roughness must be greater than 0");
+            return true;
+        case Word::metallic_: in.take(); finish.metallic = static_cast<float>(in.number_or(1)); return true;
+        case Word::reflection_: in.take(); read_reflection(in, finish.reflection); return true;
+        case Word::reflection_exponent_: {
+            in.take();
+            const double exponent = in.number();
+            if (!(exponent > 0)) in.fail(place, "reflection_exponent must be greater than 0");
+            finish.reflection.exponent = static_cast<float>(1 / exponent);
+            return true;
+        }
+        case Word::conserve_energy_: in.take(); finish.conserve_energy = true; return true;
+        case Word::brilliance_: only(in, 1); return true;
+        case Word::crand_: only(in, 0); return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
+Finish read_finish(Interpreter& in, Finish finish) {
+    in.expect('{', "a finish");
+    if (const auto named = in.accept_named<FinishDraft>()) finish = named->finish;
+    Albedo albedo;
+    while (read_item(in, finish, albedo)) {
+    }
+    if (!in.accept('}')) {
+        in.unexpected("ambient, diffuse, emission, phong, phong_size, specular, roughness, metallic, reflection, conserve_energy "
+                      "or '}' in a finish");
+    }
+    // POV-Ray's normalisations of `albedo` (methods: Lewis; Blinn-Phong over the hemisphere).
+    if (albedo.phong) finish.phong *= (finish.phong_size + 1) / 2;
+    if (albedo.specular) {
+        const float exponent = 1 / finish.roughness;
+        finish.specular *= (exponent + 2) / (4 * (2 - std::pow(2.0f, -exponent / 2)));
+    }
+    return finish;
+}
+
+}  // namespace rays::sdl

@@ -1,0 +1,74 @@
+// Placements worked into shapes' numbers, where the shape stays what it is.
+#include "scene_reader/flatten.h"
+
+namespace rays::sdl {
+
+bool FoldChoices::choose(bool possible) {
+    if (next == may_fold.size()) may_fold.push_back(possible);
+    if (may_fold[next] && !possible) {
+        may_fold[next] = false;
+        changed = true;
+    }
+    return may_fold[next++];
+}
+
+namespace {
+
+/// The factor of a similarity (rotations, mirrors and a uniform scale), or 0.
+double similarity(const M3& linear) {
+    const M3 squares = glm::transpose(linear) * linear;
+    const double square = (squares[0][0] + squares[1][1] + squares[2][2]) / 3;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            // Rotations by cos and sin are orthogonal to a few units in the last place; 1e-13 allows for chains of them.
+            if (!(std::abs(squares[i][j] - (i == j ? square : 0)) <= 1e-13 * square)) return 0;
+        }
+    }
+    return std::sqrt(square);
+}
+
+bool is_positive_diagonal(const M3& linear) {
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            if (i == j ? !(linear[i][j] > 0) : linear[i][j] != 0) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+bool Flattener::fold(SphereDraft& sphere, const Placement& placement) {
+    if (!placement) return true;
+    const double factor = similarity(placement->linear);
+    if (!choices_.choose(factor > 0)) return false;
+    sphere = {placement->point(sphere.center), sphere.radius * factor};
+    return true;
+}
+
+bool Flattener::fold(BoxDraft& box, const Placement& placement) {
+    if (!placement) return true;
+    if (!choices_.choose(is_positive_diagonal(placement->linear))) return false;
+    box = {placement->point(box.min), placement->point(box.max)};
+    return true;
+}
+
+bool Flattener::fold(DiscDraft& disc, const Placement& placement) {
+    if (!placement) return true;
+    const double factor = similarity(placement->linear);
+    if (!choices_.choose(factor > 0)) return false;
+    disc = {placement->point(disc.center), glm::normalize(placement->normal(disc.normal)), disc.radius * factor,
+            disc.hole_radius * factor};
+    return true;
+}
+
+bool Flattener::fold(ConeDraft& cone, const Placement& placement) {
+    if (!placement) return true;
+    const double factor = similarity(placement->linear);
+    if (!choices_.choose(factor > 0)) return false;
+    cone = {placement->point(cone.base), placement->point(cone.cap), cone.base_radius * factor, cone.cap_radius * factor,
+            cone.open};
+    return true;
+}
+
+}  // namespace rays::sdl

@@ -1,0 +1,33 @@
+// What a scene may cost to read. Everything that a hostile file could make endless has its number here.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rays::sdl {
+
+/// Text of one file. A 100 MB scene must pass.
+inline constexpr std::uintmax_t kMostBytesOfText = 400u << 20;
+/// Nested braces, parentheses, unions, macro arguments: each level costs some hundred bytes of stack.
+inline constexpr int kDeepestNesting = 200;
+/// Nested #if, #while and macro calls; POV-Ray's own limit.
+inline constexpr std::size_t kMostOpenBlocks = 200;
+/// Include files inside of one another; POV-Ray's own limit is 32.
+inline constexpr std::size_t kDeepestInclude = 32;
+/// Objects after unions are taken apart: 10^7 spheres must pass, and 72 bytes each must stay under 1 GiB.
+inline constexpr std::size_t kMostObjects = 12'000'000;
+/// Elements of one array, corners or faces of one mesh.
+inline constexpr std::size_t kMostElements = 50'000'000;
+inline constexpr std::size_t kMostArrayElements = 5'000'000;
+/// Characters of one string value.
+inline constexpr std::size_t kLongestString = 1 << 20;
+/// Notes kept; a loop could make millions.
+inline constexpr std::size_t kMostNotes = 100;
+
+/// Work is counted in tokens and skipped bytes. A loop that makes nothing ends after `kIdleWork` (a few seconds); text
+/// read once and objects made buy more.
+inline constexpr std::int64_t kIdleWork = 100'000'000;
+inline constexpr std::int64_t kWorkPerByte = 4;
+inline constexpr std::int64_t kWorkPerObject = 400;
+
+}  // namespace rays::sdl

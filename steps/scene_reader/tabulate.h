@@ -1,0 +1,12 @@
+// Scenes that are functions of Time or Wavelength.
+#pragma once
+
+#include "scene_reader/reading.h"
+
+namespace rays::sdl {
+
+/// Reads the scene; when it looks at Time or Wavelength, reads it again at other values of the variable, and tabulates
+/// every number that changes.
+Scene read_and_tabulate(Sources& sources, const Source& text, const ReadOptions& options);
+
+}  // namespace rays::sdl

@@ -1,0 +1,198 @@
+#include "scene_reader/token.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/error.h"
+
+namespace rays::sdl {
+
+namespace {
+
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
+[[noreturn]] void fail(const Place& place, std::string_view what) {
+    throw InputError(fmt::format("{}: {}", to_string(place), what));
+}
+
+}  // namespace
+
+std::string describe(const Token& token) {
+    switch (token.kind) {
+        case Token::Kind::end: return "the end of the scene";
+        case Token::Kind::number: return fmt::format("the number {}", token.number);
+        case Token::Kind::string: return "a string";
+        case Token::Kind::hash: return "a directive";
+        case Token::Kind::symbol: break;
+        default: return fmt::format("'{}'", token.text.substr(0, 60));
+    }
+    switch (token.symbol) {
+        case 'l': return "'<='";
+        case 'g': return "'>='";
+        case 'n': return "'!='";
+        default: return fmt::format("'{}'", token.symbol);
+    }
+}
+
+void Scanner::skip_blanks() {
+    for (;;) {
+        while (is_blank(*at_)) ++at_;
+        if (*at_ == '\0' && at_ < end_) {  // POV-Ray passes over NUL bytes, too
+            ++at_;
+        } else if (at_[0] == '/' && at_[1] == '/') {
+            const void* newline = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
+            at_ = newline ? static_cast<const char*>(newline) : end_;
+        } else if (at_[0] == '/' && at_[1] == '*') {
+            const Place opened = place();
+            int depth = 0;  // comments nest
+            do {
+                if (at_ >= end_) fail(opened, "this comment never ends; close it with */");
+                if (at_[0] == '/' && at_[1] == '*') {
+                    ++depth;
+                    at_ += 2;
+                } else if (at_[0] == '*' && at_[1] == '/') {
+                    --depth;
+                    at_ += 2;
+                } else {
+                    ++at_;
+                }
+            } while (depth > 0);
+        } else {
+            return;
+        }
+    }
+}
+
+Token Scanner::scan(Names& names) {
+    skip_blanks();
+    Token token;
+    token.place = place();
+    const char c = *at_;
+    if (at_ >= end_) return token;
+    if (is_digit(c) || (c == '.' && is_digit(at_[1]))) {
+        scan_number(token);
+    } else if (is_letter(c)) {
+        scan_name(token, names);
+    } else if (c == '"') {
+        scan_string(token);
+    } else if (c == '#') {
+        ++at_;
+        token.kind = Token::Kind::hash;
+    } else if (std::strchr("{}()[]<>,;+-*/=!&|?:.@$%^~`'\\", c)) {
+        token.kind = Token::Kind::symbol;
+        token.symbol = c;
+        ++at_;
+        if (*at_ == '=' && (c == '<' || c == '>' || c == '!')) {
+            token.symbol = c == '<' ? 'l' : c == '>' ? 'g' : 'n';
+            ++at_;
+        }
+    } else {
+        const auto byte = static_cast<unsigned char>(c);
+        // A byte order mark in front of the text is no character of it.
+        if (at_ == source_->begin() && std::strncmp(at_, "\xEF\xBB\xBF", 3) == 0) {
+            at_ += 3;
+            return scan(names);
+        }
+        fail(token.place, fmt::format("byte {:#04x} is no character of the language; is this a text file?", byte));
+    }
+    return token;
+}
+
+void Scanner::scan_number(Token& token) {
+    token.kind = Token::Kind::number;
+    const auto [stop, error] = std::from_chars(at_, end_, token.number);
+    if (error == std::errc::result_out_of_range) {
+        token.number = std::strtod(std::string(at_, stop).c_str(), nullptr);  // too small is 0
+        if (!std::isfinite(token.number)) fail(token.place, "this number is too large; stay below 1e308");
+    }
+    token.text = {at_, static_cast<std::size_t>(stop - at_)};
+    at_ = stop;
+    if (*at_ == '.' && is_digit(at_[1]) && token.text.find('.') != std::string_view::npos) {
+        fail(token.place, "a number with two points; is a comma missing?");
+    }
+}
+
+void Scanner::scan_string(Token& token) {
+    token.kind = Token::Kind::string;
+    const char* start = ++at_;
+    while (*at_ != '"') {
+        if (at_ >= end_) fail(token.place, "this string never ends; close it with \"");
+        if (*at_ == '\\' && at_ + 1 < end_) ++at_;
+        ++at_;
+    }
+    token.text = {start, static_cast<std::size_t>(at_ - start)};
+    ++at_;
+}
+
+void Scanner::scan_name(Token& token, Names& names) {
+    const char* start = at_;
+    std::uint32_t hash = Names::kHashStart;
+    while (is_letter(*at_) || is_digit(*at_)) hash = Names::hash_step(hash, *at_++);
+    token.text = {start, static_cast<std::size_t>(at_ - start)};
+    if (token.text.size() > 1000) fail(token.place, "this name has more than 1000 letters; shorten it");
+    token.name = names.intern(token.text, hash);
+    token.kind = Token::Kind::name;
+    if (names.is_reserved(token.name)) {
+        token.kind = Token::Kind::word;
+        token.word = names.word_of(token.name);
+    }
+}
+
+Word Scanner::directive_word(Names& names) {
+    skip_blanks();
+    if (!is_letter(*at_)) return Word::other_;
+    const char* start = at_;
+    Token token;
+    scan_name(token, names);
+    if (token.kind == Token::Kind::word) return token.word;
+    at_ = start;
+    return Word::other_;
+}
+
+Word Scanner::skip_block(Names& names, int levels, bool at_else, Place opened) {
+    for (;;) {
+        // Walk to the next '#' outside of strings and comments.
+        const std::size_t plain = std::strcspn(at_, "#\"/");
+        at_ += plain;
+        if (at_ >= end_) fail(opened, "this block never ends; close it with #end");
+        if (*at_ == '\0') {
+            ++at_;
+        } else if (*at_ == '"') {
+            Token ignored;
+            ignored.place = place();
+            scan_string(ignored);
+        } else if (*at_ == '/') {
+            const char* before = at_;
+            skip_blanks();
+            if (at_ == before) ++at_;
+        } else {
+            ++at_;
+            switch (const Word word = directive_word(names)) {
+                case Word::if_:
+                case Word::ifdef_:
+                case Word::ifndef_:
+                case Word::while_:
+                case Word::for_:
+                case Word::switch_:
+                case Word::macro_: ++levels; break;
+                case Word::else_:
+                case Word::elseif_:
+                case Word::case_:
+                case Word::range_:
+                    if (at_else && levels == 1) return word;
+                    break;
+                case Word::end_:
+                    if (--levels == 0) return word;
+                    break;
+                default: break;
+            }
+        }
+    }
+}
+
+}  // namespace rays::sdl

@@ -1,0 +1,81 @@
+// The smallest pieces of a scene's text.
+#pragma once
+
+#include <string_view>
+
+#include "scene_reader/value.h"
+
+namespace rays::sdl {
+
+struct Token {
+    enum class Kind : std::uint8_t {
+        end,     ///< of the scene's text
+        number,  ///< a literal; its value in `number`
+        string,  ///< a literal; its characters, escapes untouched, in `text`
+        word,    ///< reserved; which, in `word`
+        name,    ///< bound to nothing yet
+        value,   ///< a name, or an element of an array, that stands for `*value`
+        symbol,  ///< punctuation; <=, >= and != are 'l', 'g' and 'n'
+        hash,    ///< a directive that must wait (see Interpreter::hold_)
+        macro,   ///< a macro call that must wait
+    };
+    Kind kind = Kind::end;
+    char symbol = 0;
+    Word word = Word::other_;
+    NameId name = 0;
+    double number = 0;
+    Value* value = nullptr;   ///< valid until the next token is fetched
+    Array* array = nullptr;   ///< whose element `value` is
+    std::size_t scope = 0;    ///< where the name is bound
+    std::string_view text;
+    Place place;
+
+    bool is(char s) const { return kind == Kind::symbol && symbol == s; }
+    bool is(Word w) const { return kind == Kind::word && word == w; }
+};
+
+/// How a message calls it: "'sphere'", "the number 3", "the end of the scene".
+std::string describe(const Token& token);
+
+/// Scans numbers, names, strings and punctuation; knows nothing of what they mean.
+class Scanner {
+public:
+    void move_to(const Source* source, const char* at) {
+        source_ = source;
+        at_ = at;
+        end_ = source->end();
+    }
+    const Source* source() const { return source_; }
+    const char* at() const { return at_; }
+    Place place() const { return {source_, at_}; }
+
+    /// The next token; a '#' is left to the caller, who sees kind hash. End of text is kind end.
+    Token scan(Names& names);
+    /// True when the next thing but blanks and comments is `c`. Nothing is consumed but blanks.
+    bool next_is(char c) {
+        skip_blanks();
+        return *at_ == c;
+    }
+    /// Bytes walked over, as a measure of work.
+    const char* end() const { return end_; }
+
+    /// After a '#': the directive's word, or other_ when there is none.
+    Word directive_word(Names& names);
+
+    /// Where a block that is not executed stops: after the word of the #else, #elseif, #case, #range or #end that
+    /// belongs to `levels` blocks up (1: the innermost). Stops at #else and its kin only when `at_else` and levels
+    /// is 1. Throws InputError at the end of the text; `opened` is named in it.
+    Word skip_block(Names& names, int levels, bool at_else, Place opened);
+
+private:
+    void skip_blanks();
+    void scan_number(Token& token);
+    void scan_string(Token& token);
+    void scan_name(Token& token, Names& names);
+
+    const Source* source_ = nullptr;
+    const char* at_ = nullptr;
+    const char* end_ = nullptr;
+};
+
+}  // namespace rays::sdl

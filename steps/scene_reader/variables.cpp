@@ -1,0 +1,242 @@
+// Names and what they stand for: #declare, #local, scopes, arrays.
+#include <fmt/format.h>
+
+#include "scene_reader/interpreter.h"
+
+namespace rays::sdl {
+
+std::string kind_name(const Value& value) {
+    static constexpr const char* kNames[] = {
+        "undefined", "a float",   "a string", "an array",  "a macro",  "a function",  "a reference", "a transform", "a camera",
+        "an object", "a texture", "a pigment", "a finish", "an interior", "a media", "a density",    "a material"};
+    static_assert(std::size(kNames) == std::variant_size_v<decltype(Value::is)>);
+    if (const auto* numbers = value.as<Numbers>()) {
+        static constexpr const char* kSizes[] = {"a float", "a 2D vector", "a vector", "a 4D vector", "a color"};
+        return kSizes[numbers->count - 1];
+    }
+    return kNames[value.is.index()];
+}
+
+const Value* Interpreter::predeclare(std::string_view name, double value) {
+    const std::shared_ptr<Value> slot = bind(names_.intern(name), 0);
+    Numbers number;
+    number.at[0] = value;
+    slot->is = number;
+    return slot.get();
+}
+
+std::shared_ptr<Value> Interpreter::bind(NameId name, std::size_t scope) {
+    auto& known = bindings(name);
+    if (!known.empty() && known.back().scope == scope) return known.back().slot;
+    known.push_back({scope, std::make_shared<Value>()});
+    scopes_[scope].push_back(name);
+    return known.back().slot;
+}
+
+void Interpreter::leave_scope() {
+    const std::size_t scope = scopes_.size() - 1;
+    for (NameId name : scopes_.back()) {
+        auto& known = bindings_[name];
+        if (!known.empty() && known.back().scope == scope) known.pop_back();
+    }
+    scopes_.pop_back();
+}
+
+std::shared_ptr<Value> Interpreter::assignable(const Token& token, bool local) {
+    const std::size_t scope = local ? scopes_.size() - 1 : 0;
+    switch (token.kind) {
+        case Token::Kind::name: return bind(token.name, scope);
+        case Token::Kind::macro:
+        case Token::Kind::value:
+            if (token.array) return {token.array->shared_from_this(), token.value};
+            if (token.value->shared<Function>() && !(local && token.scope != scope)) {
+                fail(token, fmt::format("'{}' is a function already; #undef it first", token.text));
+            }
+            if (local && token.scope != scope) return bind(token.name, scope);
+            if (Reference* reference = bindings_[token.name].back().slot->as<Reference>()) return reference->target;
+            return bindings_[token.name].back().slot;
+        default: break;
+    }
+    if (token.kind == Token::Kind::word) {
+        fail(token, fmt::format("'{}' is a reserved word; choose another name", token.text));
+    }
+    fail(token, fmt::format("found {}; expected a name to declare", describe(token)));
+}
+
+void Interpreter::declare(bool local, Place place) {
+    const bool outer_hold = std::exchange(hold_, true);
+    left_side_ = true;
+    if (accept(Word::deprecated_)) {
+        accept(Word::once_);
+        string_follows() ? static_cast<void>(string()) : void();
+    }
+    const Token name = take();
+    const std::shared_ptr<Value> slot = assignable(name, local);
+    left_side_ = false;
+    const bool is_element = name.array != nullptr;
+    expect('=', "a declaration");
+    hold_ = outer_hold;
+    Value value = right_side(false, scopes_.size(), true);
+    if (is_element && !slot->empty() && slot->is.index() != value.is.index()) {
+        fail(place, fmt::format("an array of {} cannot hold {}; declare another array", kind_name(*slot), kind_name(value)));
+    }
+    *slot = std::move(value);
+    ++changes_;
+    hold_ = true;
+    accept(';');
+    hold_ = outer_hold;
+}
+
+namespace {
+
+bool same_kind(const Value& a, const Value& b) {
+    if (a.is.index() != b.is.index()) return false;
+    const auto* numbers = a.as<Numbers>();
+    return !numbers || numbers->count == b.as<Numbers>()->count;
+}
+
+/// Assignment copies: arrays with all their elements.
+Value copy_of(const Value& value) {
+    Value copy = value;
+    if (auto* array = copy.as<std::shared_ptr<Array>>()) {
+        *array = std::make_shared<Array>(**array);
+        for (Value& element : (*array)->elements) element = copy_of(element);
+    }
+    return copy;
+}
+
+/// Colours are kept in single precision, as POV-Ray keeps them.
+Numbers rounded_color(const Color& color) {
+    Numbers numbers;
+    numbers.count = 5;
+    for (int i = 0; i < 3; ++i) numbers.at[i] = color.rgb[i];
+    numbers.at[3] = color.filter;
+    numbers.at[4] = color.transmit;
+    return numbers;
+}
+
+}  // namespace
+
+Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool needs_semicolon) {
+    const Nesting nesting(*this);
+    const bool outer_hold = hold_;
+    Value result;
+    const Token first = peek();
+    const Value* known = first.kind == Token::Kind::value ? first.value : nullptr;
+    // The caller's own variable, when nothing but its name stands there.
+    const auto reference = [&]() -> std::shared_ptr<Value> {
+        if (!as_argument || first.scope > caller_scope) return nullptr;
+        if (first.array) return {first.array->shared_from_this(), first.value};
+        std::shared_ptr<Value> slot = bindings_[first.name].back().slot;
+        while (Reference* further = slot->as<Reference>()) slot = further->target;
+        return slot;
+    };
+    const auto semicolon = [&] {
+        if (needs_semicolon && !accept(';')) {
+            fail(peek(), fmt::format("found {}; a declaration of a float, vector or color ends with ';'", describe(peek())));
+        }
+    };
+    const bool callable = known && (known->as<Shared<Function>>() != nullptr);
+    if (known && !known->as<Numbers>() && !callable) {
+        const std::shared_ptr<Value> target = reference();
+        take();
+        if (target) {
+            result.is = Reference{target};
+        } else {
+            spend(known->as<std::shared_ptr<Array>>()
+                      ? static_cast<std::int64_t>((*known->as<std::shared_ptr<Array>>())->elements.size())
+                      : 1);
+            result = copy_of(*known);
+        }
+    } else if (first.kind == Token::Kind::name) {
+        fail(first, fmt::format("'{}' is neither a word of the language nor declared; declare it first", first.text));
+    } else if (string_follows()) {
+        result.is = string();
+    } else if (!vector_follows() && color_follows()) {
+        hold_ = true;
+        result.is = rounded_color(color());
+        semicolon();
+        hold_ = outer_hold;
+    } else if (vector_follows()) {
+        const std::shared_ptr<Value> target = known ? reference() : nullptr;
+        const std::int64_t before = tokens_;
+        hold_ = true;
+        if (callable && !scanner_.next_is('(')) {  // the function itself, not its value
+            result = *known;
+            take();
+            semicolon();
+            hold_ = outer_hold;
+            return result;
+        }
+        Numbers numbers = sum(1);
+        for (int i = 0; i < numbers.count; ++i) checked(numbers.at[i], first.place);
+        if (numbers.count == 5) {
+            for (double& x : numbers.at) x = static_cast<float>(x);
+        }
+        peek();
+        if (target && tokens_ == before + 1) {
+            result.is = Reference{target};
+        } else {
+            result.is = numbers;
+        }
+        semicolon();
+        hold_ = outer_hold;
+    } else if (accept(Word::array_)) {
+        result = array_literal();
+    } else if (accept(Word::function_)) {
+        result = function_definition();
+    } else if (!read_thing || !read_thing(result)) {
+        unexpected("a value (float, vector, color, string, array, texture, object, ...)");
+    }
+    return result;
+}
+
+Value Interpreter::array_literal() {
+    const Place place = peek().place;
+    auto array = std::make_shared<Array>();
+    double total = 1;
+    while (accept('[')) {
+        if (array->sizes.size() == 5) fail(place, "an array has at most five dimensions");
+        const std::size_t size = count("an array's size", kMostArrayElements);
+        total *= static_cast<double>(size);
+        if (size == 0 || total > static_cast<double>(kMostArrayElements)) {
+            fail(place, fmt::format("an array has between 1 and {} elements", kMostArrayElements));
+        }
+        array->sizes.push_back(size);
+        expect(']', "an array");
+        const bool outer_hold = std::exchange(hold_, true);
+        peek();
+        hold_ = outer_hold;
+    }
+    if (array->sizes.empty()) unexpected("'[' and the size of the array");
+    spend(static_cast<std::int64_t>(total));
+    array->elements.resize(static_cast<std::size_t>(total));
+    if (peek().is('{')) array_elements(*array, 0, 0);
+    return {array};
+}
+
+void Interpreter::array_elements(Array& array, std::size_t dimension, std::size_t first) {
+    const Nesting nesting(*this);
+    std::size_t stride = 1;
+    for (std::size_t i = dimension + 1; i < array.sizes.size(); ++i) stride *= array.sizes[i];
+    expect('{', "an array");
+    for (std::size_t i = 0; i < array.sizes[dimension]; ++i) {
+        if (dimension + 1 < array.sizes.size()) {
+            array_elements(array, dimension + 1, first + i * stride);
+            continue;
+        }
+        const Place place = peek().place;
+        Value& element = array.elements[first + i];
+        element = right_side(false, scopes_.size(), false);
+        if (!same_kind(element, array.elements[0])) {
+            fail(place, fmt::format("an array of {} cannot hold {}", kind_name(array.elements[0]), kind_name(element)));
+        }
+        comma();
+    }
+    expect('}', "an array");
+    const bool outer_hold = std::exchange(hold_, true);
+    comma();
+    hold_ = outer_hold;
+}
+
+}  // namespace rays::sdl
