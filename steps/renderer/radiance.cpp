@@ -10,10 +10,9 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Vec3& to_viewer) {
     Surface surface;
     surface.point = hit.point;
     surface.geometric_normal = facing(hit.normal, to_viewer);
-    // An interpolated normal keeps to the side of the true surface, even where it would look away from the viewer.
-    surface.normal = glm::dot(hit.shading_normal, hit.normal) * glm::dot(surface.geometric_normal, hit.normal) < 0
-                         ? -hit.shading_normal
-                         : hit.shading_normal;
+    // As POV-Ray does, an interpolated normal is turned by its own side, not by that of the true surface: along
+    // silhouettes the two differ.
+    surface.normal = facing(hit.shading_normal, to_viewer);
     surface.to_viewer = to_viewer;
     surface.color = pigment_at(scene, material.pigment, hit.point).rgb;
     surface.finish = &material.finish;
