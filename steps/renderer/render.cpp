@@ -13,10 +13,11 @@
 namespace rays {
 namespace {
 
-// Magenta stripes over half of what is there: the finished parts stay visible.
+// Magenta stripes over half of what is there: the finished parts stay visible. What was computed from an unfinished
+// function's empty answer may be NaN, a picture may not.
 Radiance striped(const Radiance& value, int x, int y) {
     const bool stripe = (x + y) / 4 % 2 == 0;
-    return 0.5f * value + (stripe ? Radiance(0.5f, 0.0f, 0.4f) : Radiance(0.05f));
+    return (value.is_finite() ? 0.5f * value : Radiance()) + (stripe ? Radiance(0.5f, 0.0f, 0.4f) : Radiance(0.05f));
 }
 
 Radiance render_pixel(const Scene& scene, const Intersector& intersector, const RenderOptions& options, int x, int y) {
