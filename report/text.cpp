@@ -72,6 +72,17 @@ std::string harmless(std::string_view text, std::size_t max_bytes) {
     return out;
 }
 
+std::string valid_utf8(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    for (std::size_t at = 0; at < text.size();) {
+        const Decoded c = decode(text, at);
+        append(out, c.code);
+        at += c.bytes;
+    }
+    return out;
+}
+
 void make_harmless(nlohmann::json& value, std::size_t max_bytes) {
     if (value.is_string()) {
         value = harmless(value.get_ref<const std::string&>(), max_bytes);

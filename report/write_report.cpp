@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -31,6 +32,8 @@ constexpr std::size_t kMaxResults = 1'200'000;  ///< leaves most of the page to 
 
 /// 13 bits are an eighth of the reference's rounding; 10 are the reference's own.
 constexpr int kMantissas[] = {13, 12, 11, 10};
+/// What these three bits are worth in the page for 160 x 120 pixels, at most.
+constexpr std::size_t kBytesBetween = 30'000;
 
 json read_results(const fs::path& file) {
     std::error_code error;
@@ -39,7 +42,8 @@ json read_results(const fs::path& file) {
     if (size > kMaxInput) throw InputError(file.string() + ": larger than 256 MB, so not a result of the grader");
     std::ifstream in(file, std::ios::binary);
     const auto shallow = [](int depth, json::parse_event_t, json&) { return depth <= kMaxDepth; };
-    json results = json::parse(in, shallow, false);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    json results = json::parse(report::valid_utf8(text), shallow, false);
     if (results.is_discarded() || !results.is_object())
         throw InputError(file.string() + ": not JSON; grade again, and look at what wrote it");
     const std::string schema = results.value("schema", json()).is_string() ? results["schema"].get<std::string>() : "";
@@ -139,9 +143,12 @@ void write_whole(const std::string& text, const fs::path& file) {
 
 void write_report(const fs::path& results_json, const fs::path& html) {
     const report::PageParts parts = report::read_parts(RAYSTEPS_REPORT_FOLDER);
-    const json results = shortened(read_results(results_json));
+    json results = shortened(read_results(results_json));
+    const std::size_t images = images_by_need(results).size();
     std::string page;
     for (const int mantissa : kMantissas) {
+        const bool hopeless = page.size() > kMaxPage + kBytesBetween * images;
+        if (hopeless && mantissa != report::kHalfMantissa) continue;
         page = page_with(parts, results, results_json.parent_path(), mantissa);
         if (page.size() < kMaxPage) break;
     }

@@ -15,7 +15,7 @@ R.chart = (chart, title) => {
     // An exact answer has error 0, which no logarithm shows: it lies on the floor, one decade below the least error.
     const low = positive.length ? Math.min(...positive) : logY ? 1e-16 : 0, high = positive.length ? Math.max(...positive) : 1;
     const floor = logY ? decade(low, Math.floor) / 10 : Math.min(0, low);
-    const ceiling = logY ? Math.max(decade(high, Math.ceil) * 10, floor * 1e3) : high * 1.1 || 1;
+    const ceiling = logY ? Math.max(decade(high, Math.ceil) * 100, floor * 1e3) : high * 1.1 || 1;
     const ys = series.map((s) => xs.map((x) => !s.points.has(x) ? undefined : s.points.get(x) === null ? null : Math.max(floor, s.points.get(x))));
     const left = logX ? xs[0] / 1.5 : xs[0], right = logX ? xs.at(-1) * 1.5 : xs.at(-1);
 
@@ -63,7 +63,7 @@ R.chartOptions = ({chart, series, xs, ys, logX, logY, x, y, width, readAt}) => {
     const ink = R.color("--ink-2"), grid = R.color("--grid"), range = R.color("--range"), paper = R.color("--panel");
     const font = `12px ${getComputedStyle(document.body).fontFamily}`;
     const color = (role) => R.color(`--series-${role}`);
-    const tenPower = (v) => R.number(v, 2);
+    const tenPower = (v) => (v >= 0.01 && v <= 1000 ? R.number(v, 2) : `10${R.superscript(Math.round(Math.log10(v)))}`);
     const splits = (log) => (log ? (u, i, min, max) => {
         const from = Math.ceil(Math.log10(min) - 1e-9), to = Math.floor(Math.log10(max) + 1e-9);
         const stride = Math.max(1, Math.ceil((to - from) / 8));
@@ -72,7 +72,7 @@ R.chartOptions = ({chart, series, xs, ys, logX, logY, x, y, width, readAt}) => {
         return list;
     } : undefined);
     const axis = (label, log, size) => ({label, labelFont: font, font, stroke: ink, size, labelSize: 22, gap: 4, grid: {stroke: grid, width: 1}, ticks: {show: false},
-        ...(log ? {splits: splits(true), values: (u, list) => list.map(tenPower)} : {values: (u, list) => list.map((v) => R.number(v))})});
+        ...(log ? {splits: splits(true), filter: (u, list) => list, values: (u, list) => list.map(tenPower)} : {values: (u, list) => list.map((v) => R.number(v))})});
 
     const shadeRange = (u) => {
         if (!R.isNumber(chart.pass_from) || !R.isNumber(chart.pass_to)) return;
@@ -85,8 +85,8 @@ R.chartOptions = ({chart, series, xs, ys, logX, logY, x, y, width, readAt}) => {
         ctx.fillStyle = ink;
         ctx.font = `${11 * devicePixelRatio}px ${getComputedStyle(document.body).fontFamily}`;
         ctx.textAlign = "left";
-        ctx.textBaseline = "bottom";
-        if (to - from > 90 * devicePixelRatio) ctx.fillText("must hold here", from + 6 * devicePixelRatio, bbox.top + bbox.height - 4 * devicePixelRatio);
+        ctx.textBaseline = "top";
+        if (to - from > 90 * devicePixelRatio) ctx.fillText("must hold here", from + 6 * devicePixelRatio, bbox.top + 5 * devicePixelRatio);
         ctx.restore();
     };
     const crossFailures = (u) => {
@@ -95,7 +95,7 @@ R.chartOptions = ({chart, series, xs, ys, logX, logY, x, y, width, readAt}) => {
         ctx.lineWidth = 2 * d;
         series.forEach((s, k) => xs.forEach((value, i) => {
             if (ys[k][i] !== null) return;
-            const cx = u.valToPos(value, "x", true), cy = bbox.top + (8 + 11 * k) * d, r = 3.5 * d;
+            const cx = u.valToPos(value, "x", true), cy = bbox.top + (26 + 11 * k) * d, r = 3.5 * d;
             ctx.strokeStyle = color(s.role);
             ctx.beginPath();
             ctx.moveTo(cx - r, cy - r);

@@ -4,41 +4,49 @@ R.checkArticle = (step, check) => {
     const good = check.tone === "good";
     const scene = check.image ? R.pictureScene(check) : null;
     const more = R.h("div", {class: "more", id: `${check.anchor}-more`});
-    const article = R.h("article", {class: "check", id: check.anchor, "data-tone": check.tone, "data-state": good ? "pass" : "open",
-        "data-shows": check.image ? "picture" : check.chart ? "chart" : "text", "aria-labelledby": `${check.anchor}-title`});
-
-    let built = false;
+    const left = scene && R.h("div", {class: "view-left"}, R.comparison(scene, check.title));
+    const views = scene && R.h("div", {class: "views"}, left);
+    const article = R.h("article", {class: "check", id: check.anchor, "data-tone": check.tone, "data-state": good ? "pass" : "open", "aria-labelledby": `${check.anchor}-title`});
     const build = () => {
-        if (built) return;
-        built = true;
-        more.append(...R.checkDetails(check, scene).filter(Boolean));
+        if (more.hasChildNodes()) return;
+        if (scene) {
+            left.append(R.h("div", {class: "look"}, R.pictureControls(scene), R.inspector(scene)));
+            if (R.hasBoth(check.image)) views.append(R.errorMap(scene, check.title));
+        }
+        more.append(...R.checkDetails(check).filter(Boolean));
     };
-    const button = R.h("button", {type: "button", class: "expand", "aria-controls": more.id, "aria-expanded": "false"});
+    const button = R.expandButton(check, more, article, build);
+    const words = [R.text(raw.message) && R.h("p", {class: "message", text: R.text(raw.message)}), R.diagnosis(raw)];
+    const shown = [scene && R.printedPair(scene, check.title), views, check.chart && !check.image && R.chart(check.chart, check.title)];
+    // What went wrong is read before it is looked at; what went well is looked at.
+    article.append(...[R.checkHead(step, check, button), ...(good ? [...shown, ...words] : [...words, ...shown]), scene && R.pictureFacts(check.image), more].filter(Boolean));
+    return article;
+};
+
+R.expandButton = (check, more, article, build) => {
+    const button = R.h("button", {type: "button", class: "expand", "aria-controls": more.id}, R.svg("svg", {viewBox: "0 0 20 20", class: "icon", "aria-hidden": "true"}, R.svg("path", {d: "M5 8l5 5 5-5"})));
     const expand = (open) => {
         if (open) build();
         more.hidden = !open;
         article.classList.toggle("open", open);
         button.setAttribute("aria-expanded", String(open));
-        button.textContent = open ? "Less" : "Details";
-        button.setAttribute("aria-label", `${open ? "Less" : "Details"} of ${check.title}`);
+        button.setAttribute("aria-label", `Details of ${check.title}`);
     };
     button.addEventListener("click", () => expand(more.hidden));
+    const good = check.tone === "good";
     R.expanders.push({expand, isOpen: () => !more.hidden, good});
-
-    const task = R.task(step, raw.task);
-    const tags = [raw.task && `task ${R.text(raw.task)}${task?.title ? ` · ${R.text(task.title)}` : ""}`, R.text(raw.kind), R.text(raw.mode) === "isolated" ? "this step alone" : R.text(raw.mode)].filter(Boolean);
-    article.append(
-        R.h("header", {class: "check-head"}, R.badge(check.verdict, {small: true}),
-            R.h("div", {class: "check-name"}, R.h("h4", {id: `${check.anchor}-title`, text: check.title}),
-                R.h("p", {class: "tags"}, ...tags.map((tag) => R.h("span", {text: tag})))),
-            R.isNumber(raw.max) && R.h("span", {class: "points"}, R.h("b", {text: R.points(raw.points)}), ` / ${R.points(raw.max)}`)));
-    if (scene) article.append(R.comparison(scene, check.title), R.printedPair(scene, check.title));
-    if (check.chart && !check.image) article.append(R.chart(check.chart, check.title));
-    if (R.text(raw.message)) article.append(R.h("p", {class: "message", text: R.text(raw.message)}));
-    if (scene) article.append(R.pictureFacts(check.image));
-    article.append(R.h("div", {class: "check-foot"}, button), more);
     expand(!good);
-    return article;
+    return button;
+};
+
+R.checkHead = (step, check, button) => {
+    const {raw} = check, task = R.task(step, raw.task);
+    const mode = (m) => (R.text(m) === "isolated" ? "this step alone" : R.text(m));
+    const modes = [raw, ...check.same.map((other) => other.raw)].map((r) => mode(r.mode)).filter(Boolean);
+    const tags = [raw.task && `task ${R.text(raw.task)}${task?.title ? ` · ${R.text(task.title)}` : ""}`, R.text(raw.kind), modes.join(" and ")].filter(Boolean);
+    return R.h("header", {class: "check-head"}, R.badge(check.verdict, {small: true}),
+        R.h("div", {class: "check-name"}, R.h("h4", {id: `${check.anchor}-title`, text: check.title}), R.h("p", {class: "tags"}, ...tags.map((tag) => R.h("span", {text: tag})))),
+        R.isNumber(raw.max) && raw.max > 0 && R.h("span", {class: "points"}, R.h("b", {text: R.points(raw.points)}), ` / ${R.points(raw.max)}`), button);
 };
 R.expanders = [];
 
@@ -53,17 +61,13 @@ R.pictureFacts = (image) => {
     return R.h("div", {class: "facts"}, R.h("dl", {}, ...facts.filter(([, v]) => v !== null).map(([k, v]) => R.h("div", {}, R.h("dt", {text: k}), R.h("dd", {text: v})))), ...notes);
 };
 
-R.checkDetails = (check, scene) => {
+R.checkDetails = (check) => {
     const {raw} = check;
     return [
-        R.diagnosis(raw),
-        scene && R.h("section", {class: "look"},
-            scene.image.embedded?.student && scene.image.embedded?.reference ? R.errorMap(scene, check.title) : null,
-            R.h("div", {class: "look-side"}, R.pictureControls(scene), R.inspector(scene))),
         check.chart && check.image && R.chart(check.chart, check.title),
         R.questions(raw),
         check.image?.trees && R.rayTrees(R.object(check.image.trees)),
-        R.reproduce(raw),
+        R.reproduce([check, ...check.same]),
     ];
 };
 
@@ -91,10 +95,11 @@ R.questions = (raw) => {
         passed.length > 0 && R.h("details", {class: "passed"}, R.h("summary", {text: `${R.plural(nPassed, "question")} answered right` + (nPassed > passed.length ? `, ${passed.length} of them as examples` : "")}), R.h("ul", {}, ...passed.map(one))));
 };
 
-R.reproduce = (raw) => {
-    const command = R.text(raw.reproduce);
-    if (!command) return null;
-    return R.h("section", {class: "reproduce"}, R.h("h4", {text: "See it again"}),
-        R.h("div", {class: "command"}, R.h("code", {text: command}), R.copyButton(command, "Copy the command")),
-        R.isNumber(raw.seconds) && R.h("p", {class: "took", text: `took ${R.seconds(raw.seconds)}`}));
+/** The command of each check that this article stands for. */
+R.reproduce = (checks) => {
+    const rows = checks.map((check) => check.raw).filter((raw) => R.text(raw.reproduce));
+    if (rows.length === 0) return null;
+    return R.h("section", {class: "reproduce"}, R.h("h4", {text: "See it again"}), ...rows.map((raw) => R.h("div", {},
+        R.h("div", {class: "command"}, R.h("code", {text: R.text(raw.reproduce)}), R.copyButton(R.text(raw.reproduce), "Copy the command")),
+        R.h("p", {class: "took", text: [R.text(raw.id), rows.length > 1 && R.text(raw.mode), R.isNumber(raw.seconds) && `took ${R.seconds(raw.seconds)}`].filter(Boolean).join(", ")}))));
 };

@@ -50,10 +50,11 @@ R.colors = (() => {
         return Math.min(1, Math.max(0, t));
     };
     const at = (t) => table[Math.min(255, Math.max(0, Math.floor(t * 256)))];
+    const index = (error, tolerance) => Math.min(255, Math.floor(position(error, tolerance) * 256));
 
     // Linear radiance to a byte: 4096 steps are finer than a display's 256 even in the shadows, where encode() is steepest.
     const bytes = Uint8Array.from({length: 4097}, (_, i) => Math.round(255 * encode(i / 4096)));
     const toByte = (value, gain) => (value !== value ? 0 : bytes[Math.round(4096 * Math.min(1, Math.max(0, value * gain)))]);
 
-    return {lab, table, position, at, toByte, DECADES_BELOW, DECADES_ABOVE};
+    return {lab, table, position, at, index, toByte, DECADES_BELOW, DECADES_ABOVE};
 })();

@@ -16,14 +16,30 @@ R.steps = R.list(R.results.steps).map(R.object).map((step, index) => ({
         tone: R.verdict(check.verdict).tone,
         image: check.image ? R.object(check.image) : null,
         chart: check.chart ? R.object(check.chart) : null,
+        same: [],  // passed checks with the very same picture, shown with this one
     })),
 }));
 
 R.checks = R.steps.flatMap((step) => step.checks);
 R.needAttention = R.checks.filter((check) => check.tone !== "good");
 
+/** The checks of a step, those that passed with the very same picture (alone and with all steps) taken together. */
+R.together = (checks) => {
+    const first = new Map();
+    return checks.filter((check) => {
+        const picture = check.image?.embedded?.student?.id;
+        if (check.tone !== "good" || !picture) return true;
+        const key = `${R.text(check.image.scene)} ${picture}`;
+        if (!first.has(key)) return first.set(key, check);
+        first.get(key).same.push(check);
+        return false;
+    });
+};
+
 /** The task of a step by its id. */
 R.task = (step, id) => step.tasks.find((task) => task.id === id);
+
+R.hasBoth = (image) => Boolean(image.embedded?.student && image.embedded?.reference);
 
 /** 1_ray_casting/one_sphere.pov -> one sphere */
 R.sceneName = (path) => R.text(path).split("/").pop().replace(/\.pov$/, "").replaceAll("_", " ");

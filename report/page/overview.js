@@ -56,11 +56,12 @@ R.show = (checks, start) => {
     const go = (by) => {
         index = (index + by + checks.length) % checks.length;
         const check = checks[index], scene = R.pictureScene(check);
-        const map = check.image.embedded?.student && check.image.embedded?.reference ? R.errorMap(scene, check.title) : null;
+        const map = R.hasBoth(check.image) && R.errorMap(scene, check.title);
         const size = {"--ratio": scene.width / scene.height};
-        body.replaceChildren(R.h("header", {}, R.badge(check.verdict), R.h("h2", {text: R.sceneName(check.image.scene) || check.title}), R.h("span", {class: "count", text: `${index + 1} / ${checks.length}`})),
-            R.h("div", {class: map ? "show-stage two" : "show-stage", style: size}, R.comparison(scene, check.title), map),
-            R.h("div", {class: "show-values"}, R.pictureControls(scene), R.inspector(scene)));
+        body.replaceChildren(
+            R.h("header", {}, R.badge(check.verdict), R.h("h2", {text: R.sceneName(check.image.scene) || check.title}), R.h("span", {class: "count", text: `${index + 1} / ${checks.length}`})),
+            R.h("div", {class: map ? "show-stage two" : "show-stage", style: size},
+                R.h("div", {class: "view-left"}, R.comparison(scene, check.title), R.h("div", {class: "look"}, R.pictureControls(scene), R.inspector(scene))), map || null));
     };
     const button = (text, label, run) => R.h("button", {type: "button", text, "aria-label": label, on: {click: run}});
     dialog.append(body, R.h("div", {class: "show-buttons"}, button("‹", "Previous picture", () => go(-1)), button("›", "Next picture", () => go(1)), button("✕", "Close", () => dialog.close())));
@@ -80,7 +81,7 @@ R.rubric = () => {
     const rows = R.list(R.results.rubric).map(R.object);
     if (rows.length === 0) return null;
     return R.h("section", {class: "panel"}, R.h("h2", {text: "Rubric"}), R.h("div", {class: "scroll"}, R.h("table", {class: "score"},
-        R.h("thead", {}, R.h("tr", {}, ...["Row", "Points", "", "Counts"].map((text) => R.h("th", {scope: "col", text})))),
+        R.h("thead", {}, R.h("tr", {}, ...["Row", "Points", "", "Counts"].map((text) => R.h("th", {scope: "col"}, text || R.h("span", {class: "unseen", text: "Share of the points"}))))),
         R.h("tbody", {}, ...rows.map((row) => R.h("tr", {}, R.h("th", {scope: "row"}, R.text(row.title) || R.text(row.id), row.extra === true && R.h("span", {class: "extra", text: "extra"})),
             R.h("td", {class: "points"}, R.h("b", {text: R.points(row.points)}), ` / ${R.points(row.max)}`), R.h("td", {class: "bar-cell"}, R.bar(row.points, row.max, R.text(row.title))), R.h("td", {class: "note", text: R.text(row.note)})))))));
 };

@@ -83,7 +83,7 @@ R.markers = (scene) => {
 
 /** Both pictures under one slider. Arrow keys, Home and End move it, as does dragging. */
 R.comparison = (scene, title) => {
-    const both = scene.image.embedded?.student && scene.image.embedded?.reference;
+    const both = R.hasBoth(scene.image);
     const student = R.frameCanvas(scene, "student", `${title}: the student's picture`);
     const reference = R.frameCanvas(scene, "reference", `${title}: POV-Ray's picture`);
     const box = R.h("div", {class: "stage", style: {"aspect-ratio": `${scene.width} / ${scene.height}`}});
@@ -117,8 +117,15 @@ R.comparison = (scene, title) => {
     return R.h("div", {class: "compare"}, box);
 };
 
-/** For paper, where nothing slides. */
-R.printedPair = (scene, title) =>
-    R.h("div", {class: "printed", "aria-hidden": "true"},
-        ...[["student", "Student"], ["reference", "POV-Ray"]].filter(([whose]) => scene.image.embedded?.[whose])
-            .map(([whose, name]) => R.h("figure", {}, R.frameCanvas(scene, whose, title), R.h("figcaption", {text: name}))));
+/** For paper, where nothing slides: both pictures and the error map in a row. Drawn when it is printed. */
+R.printedPair = (scene, title) => {
+    const box = R.h("div", {class: "printed", "aria-hidden": "true"});
+    const figure = (name, ...content) => R.h("figure", {}, ...content, R.h("figcaption", {text: name}));
+    addEventListener("beforeprint", () => {
+        const frames = [["student", "Student"], ["reference", "POV-Ray"]].filter(([whose]) => scene.image.embedded?.[whose])
+            .map(([whose, name]) => figure(name, R.frameCanvas(scene, whose, title)));
+        const errors = R.hasBoth(scene.image) && [figure("Error, the tolerance in the middle of the scale", R.errorCanvas(scene), R.errorScale(scene))];
+        box.append(...frames, ...(errors || []));
+    }, {once: true});
+    return box;
+};

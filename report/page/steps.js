@@ -2,7 +2,7 @@
 R.taskTable = (step) => {
     if (step.tasks.length === 0) return null;
     return R.h("div", {class: "scroll"}, R.h("table", {class: "score tasks"},
-        R.h("thead", {}, R.h("tr", {}, ...["Task", "Verdict", "Points", "", "Where to write"].map((text) => R.h("th", {scope: "col", text})))),
+        R.h("thead", {}, R.h("tr", {}, ...["Task", "Verdict", "Points", "", "Where to write"].map((text) => R.h("th", {scope: "col"}, text || R.h("span", {class: "unseen", text: "Share of the points"}))))),
         R.h("tbody", {}, ...step.tasks.map((task) => {
             const tone = R.verdict(task.verdict).tone, file = R.text(task.file);
             return R.h("tr", {"data-tone": tone, "data-state": tone === "good" ? "pass" : "open"},
@@ -19,9 +19,10 @@ R.stepSection = (step) => {
         R.h("div", {class: "section-head step-head"}, R.h("div", {}, R.h("p", {class: "kicker", text: step.name}), R.h("h2", {id: `${step.anchor}-title`, text: step.title})),
             R.h("div", {class: "step-score"}, R.badge(step.verdict), R.h("span", {class: "points"}, R.h("b", {text: R.points(step.raw.points)}), ` / ${R.points(step.raw.max)}`))),
         R.text(step.raw.message) && R.h("p", {class: "notice", text: R.text(step.raw.message)}), R.taskTable(step));
+    const together = R.together(step.checks);
     const order = {bad: 0, mixed: 1, idle: 2, good: 3};
     for (const [title, name, belongs] of groups) {
-        const checks = step.checks.filter(belongs).sort((a, b) => order[a.tone] - order[b.tone]);
+        const checks = together.filter(belongs).sort((a, b) => order[a.tone] - order[b.tone]);
         if (checks.length === 0) continue;
         const good = checks.every((check) => check.tone === "good");
         section.append(R.h("div", {class: "group", "data-state": good ? "pass" : "open"},

@@ -44,20 +44,14 @@ R.expandSwitch = () => {
     return button;
 };
 
-/** Paper is light, and nothing on it can be unfolded later. */
+/** Paper is light. What is folded stays folded: it passed. */
 R.preparePrint = () => {
     let before = null;
     addEventListener("beforeprint", () => {
-        if (before) return;
-        const details = [...document.querySelectorAll("details:not([open]):not(.passed)")].filter((d) => !d.closest(".colophon"));
-        before = {theme: document.documentElement.dataset.theme, closed: R.expanders.filter((e) => !e.isOpen()), details};
-        before.closed.forEach((e) => e.expand(true));
-        details.forEach((d) => (d.open = true));
+        before ??= {theme: document.documentElement.dataset.theme};
         R.setTheme("light");
     });
     addEventListener("afterprint", () => {
-        before?.closed.forEach((e) => e.expand(false));
-        before?.details.forEach((d) => (d.open = false));
         R.setTheme(before?.theme);
         before = null;
     });

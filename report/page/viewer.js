@@ -1,48 +1,43 @@
 // The map of errors with its legend, and the inspector of one pixel.
-R.errorMap = (scene, title) => {
+R.errorCanvas = (scene) => {
     const CELL = 4;  // canvas pixels a picture pixel: room for marks inside of it
     const canvas = R.h("canvas", {class: "frame", width: scene.width * CELL, height: scene.height * CELL});
-    const box = R.h("div", {class: "stage map", tabindex: "0", role: "application", "aria-roledescription": "pixel inspector",
-        "aria-label": `${title}: error map. Arrow keys move the pixel, W goes to the worst one.`,
-        style: {"aspect-ratio": `${scene.width} / ${scene.height}`}}, canvas, ...R.markers(scene));
+    const rgba = (r, g, b) => (0xff000000 | b << 16 | g << 8 | r) >>> 0;
+    const mix = (x, y, share) => Math.round(x + (y - x) * share);
+    const OUTLINE = [127, 227, 255], NOT_A_NUMBER = rgba(255, 79, 216), BLACK = rgba(0, 0, 0);
+    const colors = R.colors.table.map((c) => ({plain: rgba(...c), faint: rgba(...c.map((v, k) => mix(v, OUTLINE[k], 0.3)))}));
 
+    /** What one pixel of the picture looks like: colour at (dx, dy) of its cell. */
+    const cell = (i) => {
+        const error = R.pixelError(scene, i);
+        if (!Number.isFinite(error)) return (dx, dy) => ((dx < CELL / 2) === (dy < CELL / 2) ? BLACK : NOT_A_NUMBER);
+        const {plain, faint} = colors[R.colors.index(error, scene.tolerance)];
+        const border = (d) => d === 0 || d === CELL - 1;
+        if (scene.outlines && scene.student.marked(i)) return (dx, dy) => (border(dx) || border(dy) ? rgba(...OUTLINE) : plain);
+        if (scene.outlines && scene.reference.marked(i)) return (dx, dy) => (border(dx) || border(dy) ? plain : faint);
+        return () => plain;
+    };
     const draw = () => {
         if (!scene.comparable) return;
-        const {width, height, student, reference} = scene;
+        const {width, height} = scene, context = canvas.getContext("2d");
         [canvas.width, canvas.height] = [width * CELL, height * CELL];
-        const context = canvas.getContext("2d");
-        const line = R.color("--outline-mark");
+        const data = context.createImageData(canvas.width, canvas.height), out = new Uint32Array(data.data.buffer);
         for (let i = 0; i < width * height; ++i) {
-            const x = (i % width) * CELL, y = Math.floor(i / width) * CELL;
-            const error = R.pixelError(scene, i);
-            if (error !== error || error === Infinity) {
-                context.fillStyle = R.color.notANumber;
-                context.fillRect(x, y, CELL, CELL);
-                context.fillStyle = "#000";
-                context.fillRect(x, y, CELL / 2, CELL / 2);
-                context.fillRect(x + CELL / 2, y + CELL / 2, CELL / 2, CELL / 2);
-                continue;
-            }
-            const [r, g, b] = R.colors.at(R.colors.position(error, scene.tolerance));
-            context.fillStyle = `rgb(${r} ${g} ${b})`;
-            context.fillRect(x, y, CELL, CELL);
-            if (!scene.outlines) continue;
-            context.fillStyle = line;
-            if (student.marked(i)) {
-                context.fillRect(x, y, CELL, 1);
-                context.fillRect(x, y + CELL - 1, CELL, 1);
-                context.fillRect(x, y, 1, CELL);
-                context.fillRect(x + CELL - 1, y, 1, CELL);
-            } else if (reference.marked(i)) {
-                context.globalAlpha = 0.3;
-                context.fillRect(x + 1, y + 1, 2, 2);
-                context.globalAlpha = 1;
-            }
+            const color = cell(i), first = Math.floor(i / width) * CELL * canvas.width + (i % width) * CELL;
+            for (let dy = 0; dy < CELL; ++dy)
+                for (let dx = 0; dx < CELL; ++dx) out[first + dy * canvas.width + dx] = color(dx, dy);
         }
+        context.putImageData(data, 0, 0);
     };
     scene.onChange((what) => ("comparable" in what || "outlines" in what) && draw());
     draw();
+    return canvas;
+};
 
+R.errorMap = (scene, title) => {
+    const box = R.h("div", {class: "stage map", tabindex: "0", role: "application", "aria-roledescription": "pixel inspector",
+        "aria-label": `${title}: error map. Arrow keys move the pixel, W goes to the worst one.`,
+        style: {"aspect-ratio": `${scene.width} / ${scene.height}`}}, R.errorCanvas(scene), ...R.markers(scene));
     box.addEventListener("pointermove", (event) => scene.change(R.pixelUnder(scene, event, box)));
     box.addEventListener("keydown", (event) => {
         const step = event.shiftKey ? 10 : 1;
@@ -57,9 +52,8 @@ R.errorMap = (scene, title) => {
     });
     return R.h("figure", {class: "errors"}, box, R.errorLegend(scene));
 };
-R.color.notANumber = "#ff4fd8";
 
-R.errorLegend = (scene) => {
+R.errorScale = (scene) => {
     const {DECADES_BELOW, DECADES_ABOVE, at} = R.colors;
     const strip = R.h("canvas", {class: "strip", width: 256, height: 1, "aria-hidden": "true"});
     const context = strip.getContext("2d");
@@ -71,9 +65,12 @@ R.errorLegend = (scene) => {
     const t = scene.tolerance;
     const ticks = [tick(0, R.number(t / 10 ** DECADES_BELOW, 2), "first"), tick(0.5, `tolerance ${R.number(t, 2)}`, "middle"),
                    tick(1, R.number(t * 10 ** DECADES_ABOVE, 2), "last")];
+    return R.h("div", {class: "scale", role: "img", "aria-label": `Colour scale of the error, logarithmic, the tolerance ${R.number(t, 2)} in the middle`}, strip, ...ticks);
+};
+
+R.errorLegend = (scene) => {
     const key = (name, text) => R.h("span", {class: "key"}, R.h("i", {class: name, "aria-hidden": "true"}), text);
-    return R.h("figcaption", {class: "legend"},
-        R.h("div", {class: "scale", role: "img", "aria-label": `Colour scale of the error, logarithmic, the tolerance ${R.number(t, 2)} in the middle`}, strip, ...ticks),
+    return R.h("figcaption", {class: "legend"}, R.errorScale(scene),
         R.h("p", {class: "keys"}, "Largest difference of R, G, B in linear radiance, so it does not depend on the exposure. ",
             key("k-outline", "outline in the reference"), key("k-silhouette", "beyond tolerance, but within the reference's silhouette"),
             key("k-nan", "not a number")));

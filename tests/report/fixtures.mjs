@@ -131,6 +131,14 @@ export const hostile = () => {
     return poisoned;
 };
 
+/** More pixels than a page may hold: 20 pairs of noise, each different. */
+export const huge = () => {
+    const results = base();
+    results.steps = [step(1, Array.from({length: 20}, (_, i) => check(taskOf(i % 7), "image", `noise ${i}`, i === 19 ? "fail" : "pass",
+        {image: {...image(`noise_${i}`, i), student: `pictures/noise-${2 * i}.exr`, reference: `pictures/noise-${2 * i + 1}.exr`}})))];
+    return finished(results);
+};
+
 /** An EXR file that promises 10^9 x 10^9 pixels: its header alone, valid up to there. */
 const absurdExr = () => {
     const parts = [Buffer.from([0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0])];
@@ -162,7 +170,7 @@ export const writeFixtures = async (folder, makePictures) => {
     writeFileSync(join(pictures, "absurd.exr"), absurdExr());
     writeFileSync(join(pictures, "cut.exr"), readFileSync(join(pictures, "student-2-0.exr")).subarray(0, 3000));
     const paths = {};
-    for (const [name, make] of Object.entries({good, wrong, hostile})) {
+    for (const [name, make] of Object.entries({good, wrong, hostile, huge})) {
         paths[name] = join(folder, `${name}.json`);
         writeFileSync(paths[name], JSON.stringify(make()));
     }

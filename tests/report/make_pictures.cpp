@@ -1,4 +1,5 @@
 // make-report-pictures FOLDER: small pictures for the test of the report page, and values of some of their pixels.
+// Noise, which no code packs, tries the limit of the page's size.
 //
 // Each scene is a lit sphere above a checkered floor, painted by formula. The reference is what that formula gives at
 // the middle of each pixel, in half floats, with the least and the greatest value of 8 x 8 samples over the pixel and
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -93,8 +95,9 @@ Canvas student(Painting painting, Mistake mistake) {
     return canvas;
 }
 
-bool write(const Canvas& canvas, OIIO::TypeDesc format, const std::filesystem::path& file) {
-    OIIO::ImageSpec spec(kWidth, kHeight, static_cast<int>(canvas.names.size()), format);
+bool write(const Canvas& canvas, OIIO::TypeDesc format, const std::filesystem::path& file, int width = kWidth,
+           int height = kHeight) {
+    OIIO::ImageSpec spec(width, height, static_cast<int>(canvas.names.size()), format);
     spec.channelnames = canvas.names;
     spec.attribute("compression", "zip");
     const auto out = OIIO::ImageOutput::create(file.string());
@@ -128,6 +131,15 @@ int main(int argc, char** argv) {
                 values[name].push_back({{"x", x}, {"y", y}, {"student", pixel(own, x, y)}, {"reference", pixel(truth, x, y)}});
         }
     }
+    std::mt19937 random(7);
+    for (int i = 0; i < 40; ++i) {
+        Canvas noise{{"R", "G", "B"}, {}};
+        for (int k = 0; k < 3 * kWidth * kHeight; ++k)
+            noise.values.push_back(static_cast<float>(random()) / static_cast<float>(random.max()));
+        good &= write(noise, OIIO::TypeDesc::FLOAT, folder / ("noise-" + std::to_string(i) + ".exr"));
+    }
+    Canvas small{{"R", "G", "B"}, std::vector<float>(3 * kWidth * kHeight, 0.5f)};
+    good &= write(small, OIIO::TypeDesc::FLOAT, folder / "other-size.exr", kWidth / 2, kHeight / 2);
     std::ofstream(folder / "values.json") << values.dump(1);
     return good ? 0 : 1;
 }

@@ -1,0 +1,375 @@
+// The report page in a real browser: node --test, with RAYS_REPORT and MAKE_PICTURES naming the built programs.
+import assert from "node:assert/strict";
+import {existsSync, readFileSync, writeFileSync} from "node:fs";
+import {join} from "node:path";
+import {after, test} from "node:test";
+import {axeSource, finish, folder, open, pageOf, report, results, sizeOf, values} from "./browser.mjs";
+
+after(finish);
+
+const MEGA = 1e6;
+/** How many different colours a canvas shows: an empty one has 1. */
+const colorsOf = (canvas) => canvas.evaluate((c) => new Set(new Uint32Array(c.getContext("2d").getImageData(0, 0, c.width, c.height).data.buffer)).size);
+
+test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise that does not compress", async () => {
+    for (const name of ["good", "wrong", "hostile", "huge"]) assert.ok(sizeOf(name) < 3 * MEGA, `${name}: ${sizeOf(name)} bytes`);
+    const {page, close} = await open("huge");
+    assert.ok(await page.locator(".facts .note", {hasText: "left out to keep the page small"}).count() > 0, "what is left out is said");
+    assert.equal(await page.locator(".check[data-tone=bad] .stage.map").count(), 1, "the failed check keeps its pixels");
+    await close();
+});
+
+test("nothing loads from outside, nothing is logged", async () => {
+    for (const name of ["good", "wrong", "hostile", "huge"]) {
+        const {page, watch, close} = await open(name);
+        await page.locator(".rail-tools .quiet").click();
+        await page.waitForTimeout(300);
+        assert.deepEqual(watch, [], name);
+        await close();
+    }
+});
+
+test("the policy forbids the network and foreign scripts", async () => {
+    const {page, close} = await open("good");
+    const policy = await page.locator("meta[http-equiv=Content-Security-Policy]").getAttribute("content");
+    assert.match(policy, /default-src 'none'/);
+    assert.match(policy, /script-src 'sha256-/);
+    assert.match(policy, /style-src 'sha256-/);
+    assert.doesNotMatch(policy, /unsafe|https?:|\*/);
+    const outcome = await page.evaluate(async () => {
+        const violations = [];
+        document.addEventListener("securitypolicyviolation", (event) => violations.push(event.effectiveDirective));
+        const fetched = await fetch("http://127.0.0.1:9/").then(() => "fetched", () => "refused");
+        const script = document.createElement("script");
+        script.textContent = "globalThis.foreign = 1";
+        document.body.append(script);
+        const image = document.createElement("img");
+        image.src = "http://127.0.0.1:9/x.png";
+        document.body.append(image);
+        document.body.insertAdjacentHTML("beforeend", "<p onclick='globalThis.foreign = 2' id=clickme>x</p>");
+        document.getElementById("clickme").click();
+        await new Promise((done) => setTimeout(done, 200));
+        return {fetched, foreign: globalThis.foreign, violations};
+    });
+    assert.equal(outcome.fetched, "refused");
+    assert.equal(outcome.foreign, undefined);
+    for (const directive of ["connect-src", "img-src", "script-src-elem", "script-src-attr"]) assert.ok(outcome.violations.includes(directive), `${directive} in ${outcome.violations}`);
+    await close();
+});
+
+test("the slider moves by keyboard and by pointer and says where it is", async () => {
+    const {page, close} = await open("wrong");
+    const slider = page.locator(".check[data-tone=bad] img-comparison-slider").first();
+    await slider.scrollIntoViewIfNeeded();
+    await slider.focus();
+    const value = () => slider.evaluate((s) => s.value);
+    const split = () => slider.evaluate((s) => parseFloat(getComputedStyle(s.shadowRoot.getElementById("first")).getPropertyValue("--exposure")));
+    assert.equal(await value(), 50);
+    await page.keyboard.down("ArrowRight");
+    await page.waitForTimeout(250);
+    await page.keyboard.up("ArrowRight");
+    const moved = await value();
+    assert.ok(moved > 51, `arrow key: ${moved}`);
+    assert.ok(Math.abs(100 - await split() - moved) < 1, "what is seen follows the value");
+    assert.equal(await slider.getAttribute("aria-valuenow"), String(Math.round(moved)));
+    await page.keyboard.press("Home");
+    assert.equal(await value(), 0);
+    await page.keyboard.press("End");
+    assert.equal(await value(), 100);
+    const box = await slider.boundingBox();
+    await page.mouse.move(box.x + 0.8 * box.width, box.y + 0.5 * box.height);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.25 * box.width, box.y + 0.5 * box.height, {steps: 5});
+    await page.mouse.up();
+    assert.ok(Math.abs(await value() - 25) < 1, `pointer: ${await value()}`);
+    assert.equal(await slider.getAttribute("role"), "slider");
+    await close();
+});
+
+test("pixels arrive whole: the reference exactly, the student's to an eighth of the reference's rounding", async () => {
+    const {page, close} = await open("wrong");
+    for (const [name, pixels] of Object.entries(values)) {
+        const shown = await page.evaluate(async ({name, pixels}) => {
+            const image = R.checks.map((check) => check.image).find((i) => i?.student === `pictures/${name}` && i.reference === `pictures/reference-${name.split("-")[1]}.exr`);
+            if (!image) return null;
+            const {student, reference} = await R.pixels.pair(image);
+            const at = (picture, {x, y}) => [...picture.rgb.subarray(3 * (y * picture.width + x), 3 * (y * picture.width + x) + 3)];
+            return pixels.map((pixel) => ({student: at(student, pixel), reference: at(reference, pixel)}));
+        }, {name, pixels});
+        if (!shown) continue;
+        pixels.forEach((pixel, i) => [0, 1, 2].forEach((c) => {
+            // 13 and 10 bits of mantissa, rounded to nearest.
+            assert.ok(Math.abs(shown[i].student[c] - pixel.student[c]) <= 2 ** -14 * Math.abs(pixel.student[c]), `${name} student ${shown[i].student[c]} ${pixel.student[c]}`);
+            assert.ok(Math.abs(shown[i].reference[c] - pixel.reference[c]) <= 2 ** -11 * Math.abs(pixel.reference[c]), `${name} reference`);
+        }));
+    }
+    await close();
+});
+
+test("the inspector shows the values under the pointer, and arrow keys move it", async () => {
+    const {page, close} = await open("wrong");
+    const check = page.locator(".check", {hasText: "612 of 19200"}).first();
+    const stage = check.locator(".stage").first();
+    await stage.scrollIntoViewIfNeeded();
+    const number = (text) => Number(text.replace("−", "-").replace(/ × 10(.*)/, (_, e) => "e" + [...e].map((c) => ({"⁻": "-"}[c] ?? "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c))).join("")));
+    const row = async (whose) => (await check.locator(`tr.${whose} td`).allTextContents()).map(number);
+    for (const pixel of values["student-0-1.exr"]) {
+        const box = await stage.boundingBox();
+        await page.mouse.move(box.x + (pixel.x + 0.5) / 160 * box.width, box.y + (pixel.y + 0.5) / 120 * box.height);
+        assert.match(await check.locator(".pixel caption").textContent(), new RegExp(`^Pixel ${pixel.x}, ${pixel.y}`));
+        if (pixel.x === 101) continue;  // the worst pixel: there the grader's own numbers stand, tested below
+        const [student, reference, difference] = [await row("student"), await row("reference"), await row("difference")];
+        [0, 1, 2].forEach((c) => {
+            // Five digits of a value with 13 (10) bits of mantissa.
+            assert.ok(Math.abs(student[c] - pixel.student[c]) <= 1.2e-4 * Math.abs(pixel.student[c]), `student ${student[c]} ${pixel.student[c]}`);
+            assert.ok(Math.abs(reference[c] - pixel.reference[c]) <= 5.5e-4 * Math.abs(pixel.reference[c]), `reference ${reference[c]} ${pixel.reference[c]}`);
+            assert.ok(Math.abs(difference[c] - (student[c] - reference[c])) <= 2e-5, `difference ${difference[c]}`);
+        });
+    }
+    await check.getByRole("button", {name: "Go to the worst pixel"}).click();
+    assert.deepEqual(await row("student"), [0.25, 0.5, 0.125], "the grader's own numbers");
+    assert.match(await check.locator(".pixel caption").textContent(), /^Pixel 101, 44 \(the worst\)/);
+    const map = check.locator(".stage.map");
+    await map.focus();
+    for (const key of ["ArrowRight", "ArrowDown", "Shift+ArrowLeft"]) await page.keyboard.press(key);
+    assert.match(await check.locator(".pixel caption").textContent(), /^Pixel 92, 45$/);
+    await page.keyboard.press("w");
+    assert.match(await check.locator(".pixel caption").textContent(), /^Pixel 101, 44/);
+    await close();
+});
+
+test("the error map shows the mistake and does not depend on the exposure", async () => {
+    const {page, close} = await open("wrong");
+    const check = page.locator(".check", {hasText: "612 of 19200"}).first();
+    const map = check.locator(".stage.map canvas"), student = check.locator("canvas[slot=first]");
+    const bytes = (canvas) => canvas.evaluate((c) => Array.from(c.getContext("2d").getImageData(0, 0, c.width, c.height).data).reduce((h, v) => (h * 31 + v) | 0, 7));
+    assert.ok(await colorsOf(map) > 50);
+    const [mapBefore, studentBefore] = [await bytes(map), await bytes(student)];
+    const exposure = check.getByRole("slider", {name: /Exposure/});
+    await exposure.focus();
+    await page.keyboard.press("ArrowRight");
+    assert.notEqual(await bytes(student), studentBefore, "brighter");
+    assert.equal(await bytes(map), mapBefore);
+    // The missing highlight of the fixture lies around (84, 34): loud there, quiet at the picture's corner.
+    const lightness = (x, y) => map.evaluate((c, [px, py]) => [...c.getContext("2d").getImageData(4 * px + 2, 4 * py + 2, 1, 1).data].slice(0, 3).reduce((a, b) => a + b), [x, y]);
+    assert.ok(await lightness(88, 41) > await lightness(2, 2) + 150, `${await lightness(88, 41)} ${await lightness(2, 2)}`);
+    await close();
+});
+
+test("the error scale is even and rises in lightness", async () => {
+    const {page, close} = await open("good");
+    const lab = await page.evaluate(() => R.colors.lab);
+    const positions = await page.evaluate(() => [0, NaN, 1e-9, 5e-7, 5e-4, 0.5, 1e9].map((error) => R.colors.position(error, 5e-4)));
+    assert.deepEqual(positions, [0, 0, 0, 0, 0.5, 1, 1].map((p, i) => (Math.abs(positions[i] - p) < 1e-9 ? positions[i] : p)));
+    for (const half of [lab.slice(0, 128), lab.slice(128)]) {
+        const steps = half.slice(1).map((c, i) => Math.hypot(...c.map((v, k) => v - half[i][k])));
+        assert.ok(Math.max(...steps) < 1.1 * Math.min(...steps), "equal steps look equal (Oklab distance)");
+        half.slice(1).forEach((c, i) => assert.ok(c[0] > half[i][0], "lightness rises"));
+    }
+    assert.ok(lab[128][0] > lab[127][0] + 0.04, "the tolerance is a visible edge");
+    await close();
+});
+
+test("charts are drawn, read by pointer and by keyboard, and also stand as a table", async () => {
+    const {page, close} = await open("wrong");
+    const chart = page.locator(".check[data-tone=bad] .chart").first();
+    await chart.scrollIntoViewIfNeeded();
+    const canvas = chart.locator("canvas");
+    assert.ok(await colorsOf(canvas) > 20);
+    for (const role of ["solution", "student", "naive"]) {
+        const found = await canvas.evaluate((c, name) => {
+            const [r, g, b] = R.color(`--series-${name}`).match(/[\d.]+/g).map(Number);
+            const data = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+            let count = 0;
+            for (let i = 0; i < data.length; i += 4) count += data[i] === r && data[i + 1] === g && data[i + 2] === b && data[i + 3] === 255;
+            return count;
+        }, role);
+        assert.ok(found > 20, `${role}: ${found} pixels`);
+    }
+    const plot = chart.locator(".plot");
+    await plot.focus();
+    await page.keyboard.press("ArrowRight");
+    assert.match(await chart.locator(".readout .at").textContent(), /distance \/ radius = 1$/);
+    const over = await chart.locator(".u-over").boundingBox();
+    await page.mouse.move(over.x + over.width - 3, over.y + over.height / 2);
+    assert.match(await chart.locator(".readout").textContent(), /student *failed/);
+    await chart.locator("summary").click();
+    assert.equal(await chart.locator("tbody tr").count(), 13);
+    assert.ok(await chart.locator("td", {hasText: "failed"}).count() >= 4);
+    await close();
+});
+
+test("hostile texts stay texts", async () => {
+    const {page, watch, close} = await open("hostile");
+    await page.waitForTimeout(300);
+    const seen = await page.evaluate(() => ({pwned: globalThis.pwned, images: document.querySelectorAll("img, iframe, object, embed").length, scripts: document.querySelectorAll("script:not([type])").length,
+        styles: document.querySelectorAll("style").length, text: document.body.innerText, html: document.documentElement.outerHTML.length, handlers: document.querySelectorAll("[onerror],[onclick],[onload]").length}));
+    assert.equal(seen.pwned, undefined);
+    assert.equal(seen.images, 0);
+    assert.equal(seen.handlers, 0);
+    assert.equal(seen.scripts, 3);
+    assert.equal(seen.styles, 3);
+    assert.ok(seen.text.includes("</script><script>globalThis.pwned=1</script>"), "shown as it was written");
+    assert.ok(seen.text.includes("␛[31mred"), "escape sequences are visible");
+    assert.doesNotMatch(seen.text, /[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u202a-\u202e\u2066-\u2069]/);
+    assert.match(seen.text, /more bytes cut\)/);
+    assert.deepEqual(watch, []);
+    const file = readFileSync(pageOf("hostile"), "utf8");
+    assert.doesNotMatch(file, /<script>globalThis/);
+    assert.equal(file.match(/\u2028|\u2029/g), null);
+    await close();
+});
+
+test("pictures that are missing, broken, absurd or of another size are named; NaN and Inf are shown", async () => {
+    const {page, close} = await open("hostile");
+    const notes = await page.locator(".facts .note").allTextContents();
+    for (const expected of [/student's picture: there is no picture/, /file is empty/, /not a picture that can be read/, /damaged or cut off|not a picture/, /POV-Ray's picture: there is no picture/, /has 80 x 60 pixels, POV-Ray's 160 x 120/])
+        assert.ok(notes.some((note) => expected.test(note)), `${expected} in ${JSON.stringify(notes)}`);
+    assert.ok(notes.some((note) => /claims to have|not a picture/.test(note)), "absurd header");
+    const check = page.locator("#check-0-0");
+    const stage = check.locator(".stage.map");
+    await stage.scrollIntoViewIfNeeded();
+    const box = await stage.boundingBox();
+    const under = async (x, y) => {
+        await page.mouse.move(box.x + (x + 0.5) / 160 * box.width, box.y + (y + 0.5) / 120 * box.height);
+        return (await check.locator("tr.student td").allTextContents()).join(" ");
+    };
+    assert.equal(await under(80, 60), "NaN NaN NaN");
+    assert.equal(await check.locator(".pixel-verdict").textContent(), "Not a finite number");
+    assert.match(await under(10, 20), /^\+Inf /);
+    await close();
+});
+
+test("light and dark follow the system and the switch", async () => {
+    const background = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0));
+    const light = await open("good"), dark = await open("good", {colorScheme: "dark"});
+    assert.ok(await background(light.page) > 650);
+    assert.ok(await background(dark.page) < 120);
+    await light.page.locator("input[name=theme][value=dark]").check({force: true});
+    assert.ok(await background(light.page) < 120);
+    await light.page.reload();
+    await light.page.waitForSelector("html[data-ready]", {state: "attached"});
+    assert.ok(await background(light.page) < 120, "remembered");
+    await dark.page.locator("input[name=theme][value=light]").check({force: true});
+    assert.ok(await background(dark.page) > 650);
+    await light.close();
+    await dark.close();
+});
+
+test("accessibility: no finding of axe in light and dark", async () => {
+    for (const [name, colorScheme] of [["wrong", "light"], ["wrong", "dark"]]) {
+        const {page, close} = await open(name, {colorScheme, bypassCSP: true});
+        await page.evaluate(axeSource);
+        const findings = await page.evaluate(async () => (await axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"]})).violations.map((v) => `${v.id}: ${v.nodes.length} × ${v.nodes[0].html.slice(0, 200)} ${v.nodes[0].failureSummary}`));
+        assert.deepEqual(findings, [], `${name} ${colorScheme}`);
+        await close();
+    }
+});
+
+test("the keyboard reaches everything and the focus is seen", async () => {
+    const {page, close} = await open("wrong");
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.className), "skip");
+    assert.ok((await page.locator(".skip").boundingBox()).y >= 0, "the skip link comes into view");
+    const passed = page.locator(".texts .check[data-tone=good] .expand").first();
+    await passed.focus();
+    await page.keyboard.press("Enter");
+    assert.equal(await passed.getAttribute("aria-expanded"), "true");
+    assert.ok(await page.locator(".check.open[data-tone=good] .command").first().isVisible());
+    assert.notEqual(await passed.evaluate((b) => getComputedStyle(b).outlineStyle), "none");
+    await page.locator(".tile").first().focus();
+    await page.keyboard.press("Enter");
+    assert.ok(await page.locator("dialog.show[open]").isVisible());
+    await page.keyboard.press("n");
+    assert.match(await page.locator("dialog .count").textContent(), /^2 \/ 25$/);
+    await page.keyboard.press("Escape");
+    assert.equal(await page.locator("dialog.show").count(), 0);
+    await close();
+});
+
+test("the filter leaves only what failed; when nothing failed it says so", async () => {
+    const wrong = await open("wrong");
+    const visible = (page, selector) => page.locator(selector).evaluateAll((list) => list.filter((e) => e.checkVisibility()).length);
+    assert.ok(await visible(wrong.page, ".check[data-tone=good]") > 20);
+    await wrong.page.locator("#only-failed").check({force: true});
+    assert.equal(await visible(wrong.page, ".check[data-tone=good]"), 0);
+    assert.equal(await visible(wrong.page, ".check:not([data-tone=good])"), 9);
+    await wrong.close();
+    const good = await open("good");
+    await good.page.locator("#only-failed").check({force: true});
+    assert.equal(await visible(good.page, ".check"), 0);
+    assert.ok(await good.page.locator(".nothing-failed").isVisible());
+    await good.close();
+});
+
+test("diagnosis, trees, questions and commands are there", async () => {
+    const {page, close} = await open("wrong");
+    const text = await page.locator("main").innerText();
+    for (const part of ["highlight is left out", "M2.4", "terminator", "7 questions answered wrong", "hit 6.000000000000 0 0 1", "Crashed", "Out of time", "Not started", "Not judged", "32", "of 80"])
+        assert.ok(text.includes(part), part);
+    assert.equal(await page.locator(".tree .first-difference").count(), 2);
+    assert.match(await page.locator(".tree .first-difference").first().textContent(), /First difference.*blocked/);
+    const command = page.locator(".check[data-tone=bad] .command").first();
+    await command.locator("button").click();
+    assert.match(await command.locator("button").textContent(), /Copied|Selected/);
+    assert.equal(await command.locator("code").textContent(), "./rays grade 1 --seed 123");
+    const machine = await page.locator("#machine").textContent();
+    for (const part of ["EPYC", "3.7.0.10", "GCC 12.2.0", "double", "limits", "memory mb 2048", "123", "Dmitry Snisarenko", "Leon Sorokin"]) assert.ok(machine.includes(part), part);
+    await close();
+});
+
+test("nothing overflows on a phone", async () => {
+    for (const name of ["good", "wrong", "hostile"])
+        for (const width of [320, 390, 768]) {
+            const {page, close} = await open(name, {width, height: 800});
+            const [scroll, inner] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+            assert.ok(scroll <= inner, `${name} at ${width}: ${scroll}`);
+            await close();
+        }
+});
+
+test("on paper both pictures stand beside each other, light, without controls", async () => {
+    const {page, close} = await open("wrong", {colorScheme: "dark"});
+    await page.emulateMedia({media: "print"});
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    const pair = page.locator("#check-0-0 .printed figure");
+    assert.equal(await pair.count(), 3);
+    for (let i = 0; i < 3; ++i) {
+        assert.ok(await pair.nth(i).isVisible());
+        assert.ok(await colorsOf(pair.nth(i).locator("canvas").first()) > 50);
+    }
+    for (const selector of [".compare", ".rail", ".controls", ".copy", ".expand"]) assert.equal(await page.locator(selector).first().isVisible(), false, selector);
+    const background = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    assert.equal(background, "rgb(255, 255, 255)");
+    const pdf = await page.pdf({format: "A4", printBackground: true});
+    assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
+    await close();
+});
+
+test("bad input is an error that says what to do, and leaves no page", () => {
+    const html = join(folder, "never.html");
+    const attempt = (name, text) => {
+        const file = join(folder, name);
+        if (text !== null) writeFileSync(file, text);
+        const run = report(file, html);
+        assert.equal(run.status, 2, name);
+        assert.equal(existsSync(html) || existsSync(`${html}.partial`), false, name);
+        return run.stderr;
+    };
+    assert.match(attempt("absent.json", null), /cannot be read.*rays grade/);
+    assert.match(attempt("empty.json", ""), /not JSON/);
+    assert.match(attempt("cut.json", readFileSync(results.good).subarray(0, 5000)), /not JSON/);
+    assert.match(attempt("other.json", '{"schema":"something/9"}'), /schema is 'something\/9'/);
+    assert.match(attempt("deep.json", "[".repeat(200_000)), /not JSON/);
+    const unwritable = report(results.good, "/dev/null/page.html");
+    assert.equal(unwritable.status, 2);
+    assert.match(unwritable.stderr, /cannot be written/);
+});
+
+test("results with odd bytes and nothing in them still make a page", async () => {
+    const file = join(folder, "odd.json"), html = join(folder, "odd.html");
+    writeFileSync(file, Buffer.concat([Buffer.from('{"schema":"raysteps-results/1","submission":{"name":"a'), Buffer.from([0xff, 0xc0, 0xed, 0xa0, 0x80]), Buffer.from('b"},"extra":' + "[".repeat(2000) + "]".repeat(2000) + "}")]));
+    const run = report(file, html);
+    assert.equal(run.status, 0, run.stderr);
+    assert.ok(readFileSync(html, "utf8").includes("a\\ufffd\\ufffd"));
+});
