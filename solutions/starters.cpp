@@ -69,7 +69,7 @@ private:
     void close(const std::string& id) {
         if (id != region_) fail(file_, number_, "//< " + id + " closes region " + (region_.empty() ? "none" : region_));
         if (id != "hidden" && id != "given")
-            out_ << indent_ << (is_void_ ? "" : "return ") << "unfinished(\"" << id << "\");\n";
+            out_ << indent_ << "unfinished(\"" << id << "\");\n" << (is_void_ ? "" : indent_ + "return {};\n");
         region_.clear();
         in_text_ = false;
     }

@@ -10,19 +10,22 @@ namespace {
 /// `offset` counts in pixels, to the right and downwards, from the pixel's centre.
 Vec2 film_point(const Raster& raster, int column, int row, Vec2 offset) {
     // Task 1.1: The centre of a pixel lies half a pixel from its left and upper edge. Rows count downwards, y upwards.
-    return unfinished("1.1");
+    unfinished("1.1");
+    return {};
 }
 
 /// All rays start at the camera and go through their point of the film.
 Ray perspective_ray(const Camera& camera, Vec2 film) {
     // Task 1.1: direction leads to the film's middle; right and up span the whole film, whatever their angle and length.
-    return unfinished("1.1");
+    unfinished("1.1");
+    return {};
 }
 
 /// All rays are parallel to the camera's direction and start at their point of the film, which stands at the camera.
 Ray orthographic_ray(const Camera& camera, Vec2 film) {
     // Task 1.2: Here the film point moves the origin.
-    return unfinished("1.2");
+    unfinished("1.2");
+    return {};
 }
 
 }  // namespace

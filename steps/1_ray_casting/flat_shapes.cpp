@@ -12,22 +12,26 @@ using glm::dot;
 
 std::optional<Root> intersect(const Plane& plane, const Ray& ray, Interval range) {
     // Task 1.4: normal . (o + t d) = offset. Mind rays in the plane, which must be a miss and not a NaN.
-    return unfinished("1.4");
+    unfinished("1.4");
+    return {};
 }
 
 Vec3 normal(const Plane& plane, const Vec3&, const Root&) {
     // Task 1.4: As the data says.
-    return unfinished("1.4");
+    unfinished("1.4");
+    return {};
 }
 
 std::optional<Root> intersect(const Disc& disc, const Ray& ray, Interval range) {
     // Task 1.7: A plane with limits on the distance from the centre.
-    return unfinished("1.7");
+    unfinished("1.7");
+    return {};
 }
 
 Vec3 normal(const Disc& disc, const Vec3&, const Root&) {
     // Task 1.7: As the data says.
-    return unfinished("1.7");
+    unfinished("1.7");
+    return {};
 }
 
 void prepare(Polygon& polygon) {
@@ -38,23 +42,27 @@ void prepare(Polygon& polygon) {
 
 std::optional<Root> intersect(const Polygon& polygon, const Ray& ray, Interval range) {
     // Task 1.6: A hit on the plane counts when its projection along the dominant axis is inside an odd number of contours.
-    return unfinished("1.6");
+    unfinished("1.6");
+    return {};
 }
 
 Vec3 normal(const Polygon& polygon, const Vec3&, const Root&) {
     // Task 1.6: That of its plane.
-    return unfinished("1.6");
+    unfinished("1.6");
+    return {};
 }
 
 std::optional<Root> intersect(const Box& box, const Ray& ray, Interval range) {
     // Task 1.7: The common part of three slabs: the last entry, then the first exit, and the side that each belongs to.
     // Mind directions with a zero: 0 * infinity is a NaN.
-    return unfinished("1.7");
+    unfinished("1.7");
+    return {};
 }
 
 Vec3 normal(const Box&, const Vec3&, const Root& root) {
     // Task 1.7: Outwards, as Root::part says.
-    return unfinished("1.7");
+    unfinished("1.7");
+    return {};
 }
 
 }  // namespace rays

@@ -12,23 +12,27 @@ using glm::dot;
 
 Ray ray_to_local(const Transform& transform, const Ray& ray) {
     // Task 1.12: A point takes the offset, a direction does not. Do not normalise: t must stay what it is.
-    return unfinished("1.12");
+    unfinished("1.12");
+    return {};
 }
 
 Vec3 normal_to_world(const Transform& transform, const Vec3& normal) {
     // Task 1.12: By the transpose of the inverse: what is orthogonal to all tangents must stay so.
-    return unfinished("1.12");
+    unfinished("1.12");
+    return {};
 }
 
 BoundingSphere bounding_sphere(std::span<const Vec3> points) {
     // Task 1.13: Any ball with all points in it, the smaller the better; a negative radius for no points. Round up.
-    return unfinished("1.13");
+    unfinished("1.13");
+    return {};
 }
 
 bool misses(const BoundingSphere& bound, const Ray& ray, Interval range) {
     // Task 1.13: Compare the distance between centre and the nearest point of the ray within the range with the radius.
     // Rounding must err on the side of false; a ray that starts inside does not miss.
-    return unfinished("1.13");
+    unfinished("1.13");
+    return {};
 }
 
 namespace {
@@ -65,7 +69,8 @@ bool inside(const Scene& scene, const Object& object, const Vec3& point) {
     // Task 1.15: In the shape's own space; `inverse` exchanges inside and outside. POV-Ray says: triangles, polygons, meshes
     // and patches have no inside, inverse or not; that of a disc is the half space behind it; a clip of the object
     // must contain the point as well.
-    return unfinished("1.15");
+    unfinished("1.15");
+    return {};
 }
 
 namespace {
@@ -75,7 +80,8 @@ template <class NextRoot>
 std::optional<Root> first_unclipped(const Scene& scene, const ClipList& clips, const Ray& ray, Interval range,
                                     NextRoot next_root) {
     // Task 1.15: next_root(range) gives the smallest root in a range. When that one is clipped away, ask again behind it.
-    return unfinished("1.15");
+    unfinished("1.15");
+    return {};
 }
 
 }  // namespace
@@ -107,7 +113,8 @@ Hit complete_hit(const Scene& scene, std::uint32_t object_index, const Ray& ray,
 
 std::optional<Hit> nearest_hit(const Scene& scene, const Ray& ray, Interval range) {
     // Task 1.15: Ask every object, and keep the smallest t: a hit so far shortens the range for all that follow.
-    return unfinished("1.15");
+    unfinished("1.15");
+    return {};
 }
 
 }  // namespace rays

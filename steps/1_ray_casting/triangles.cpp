@@ -16,32 +16,38 @@ using glm::dot;
 std::optional<Root> intersect(const Triangle& triangle, const Ray& ray, Interval range) {
     // Task 1.5: Where the ray meets the plane, and the weights of b and c there. Inside: no weight is negative.
     // Edges belong to the triangle: a ray through an edge of two triangles must hit at least one of them.
-    return unfinished("1.5");
+    unfinished("1.5");
+    return {};
 }
 
 Vec3 normal(const Triangle& triangle, const Vec3&, const Root&) {
     // Task 1.5: (b - a) x (c - a).
-    return unfinished("1.5");
+    unfinished("1.5");
+    return {};
 }
 
 std::optional<Root> intersect(const SmoothTriangle& triangle, const Ray& ray, Interval range) {
     // Task 1.5: Smoothness is only in the normal.
-    return unfinished("1.5");
+    unfinished("1.5");
+    return {};
 }
 
 Vec3 normal(const SmoothTriangle& triangle, const Vec3& point, const Root& root) {
     // Task 1.5: The true normal: that of the flat triangle.
-    return unfinished("1.5");
+    unfinished("1.5");
+    return {};
 }
 
 Vec3 shading_normal(const SmoothTriangle& triangle, const Root& root) {
     // Task 1.5: Interpolate the normals of the corners with the weights of the root.
-    return unfinished("1.5");
+    unfinished("1.5");
+    return {};
 }
 
 bool back_facing(const Vec3& outward_normal, const Vec3& direction) {
     // Task 1.14: Does the outward normal point the same way as the ray?
-    return unfinished("1.14");
+    unfinished("1.14");
+    return {};
 }
 
 void prepare(Mesh& mesh) {
@@ -54,17 +60,20 @@ void prepare(Mesh& mesh) {
 std::optional<Root> intersect(const Mesh& mesh, const Ray& ray, Interval range) {
     // Task 1.14: The nearest of all faces. Skip back faces of a closed mesh when the range begins outside of its bound:
     // a ray that comes from outside enters before it leaves. Not so for a range that begins inside.
-    return unfinished("1.14");
+    unfinished("1.14");
+    return {};
 }
 
 Vec3 normal(const Mesh& mesh, const Vec3&, const Root& root) {
     // Task 1.14: That of the face.
-    return unfinished("1.14");
+    unfinished("1.14");
+    return {};
 }
 
 Vec3 shading_normal(const Mesh& mesh, const Root& root) {
     // Task 1.14: As for a smooth triangle when the face is smooth, else the normal of the face.
-    return unfinished("1.14");
+    unfinished("1.14");
+    return {};
 }
 
 }  // namespace rays

@@ -34,7 +34,6 @@ Unfinished unfinished(const char* task, const char* file, unsigned line) {
         remember(task, file, line);
     }
     if (!first_asked) first_asked = task;
-    return {};
 }
 
 std::vector<UnfinishedTask> unfinished_tasks() {

@@ -6,18 +6,10 @@
 
 namespace rays {
 
-/// Converts to an empty value of any type, so that `return unfinished("1.3");` fits every function.
-struct Unfinished {
-    template <class T>
-    operator T() const {
-        return T{};
-    }
-};
-
-/// Notes that the task was asked for and is not written yet. The picture goes on: the renderer marks every pixel that
-/// needed it, and the program ends by naming each such task once, with file and line. (Clang 14 has no
-/// std::source_location; both compilers have these two.)
-Unfinished unfinished(const char* task, const char* file = __builtin_FILE(), unsigned line = __builtin_LINE());
+/// Notes that the task was asked for and is not written yet. The function then returns an empty value, and the picture
+/// goes on: the renderer marks every pixel that needed it, and the program ends by naming each such task once, with
+/// file and line.
+void unfinished(const char* task, std::source_location where = std::source_location::current());
 
 struct UnfinishedTask {
     std::string task;  ///< "1.3"

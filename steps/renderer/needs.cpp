@@ -51,6 +51,11 @@ void hold_still(Scene& scene, Varying::Variable variable) {
 
 bool reflects(const Finish& f) { return !f.reflection.max.is_black() || !f.reflection.min.is_black(); }
 bool is_clear(const Color& c) { return c.filter != 0 || c.transmit != 0; }
+Vec3 flat_normal(const Triangle& t) { return glm::normalize(glm::cross(t.b - t.a, t.c - t.a)); }
+bool interpolates(const SmoothTriangle& t) {
+    const Vec3 n = flat_normal(t.triangle);
+    return t.normal_a != n || t.normal_b != n || t.normal_c != n;
+}
 bool smooth(const Mesh& mesh) {
     return std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const Mesh::Face& f) { return f.smooth; });
 }
@@ -61,13 +66,10 @@ std::vector<Effect> all_effects() {
          [](const Scene& s) { return std::any_of(s.objects.begin(), s.objects.end(), [](auto& o) { return o.clip != kNone; }); },
          [](Scene& s) { for (Object& o : s.objects) o.clip = kNone; }},
         {"smooth_normals", 1, "interpolated normals of smooth triangles",
-         [](const Scene& s) { return !s.smooth_triangles.empty() || std::any_of(s.meshes.begin(), s.meshes.end(), smooth); },
+         [](const Scene& s) { return std::any_of(s.smooth_triangles.begin(), s.smooth_triangles.end(), interpolates) || std::any_of(s.meshes.begin(), s.meshes.end(), smooth); },
          [](Scene& s) {
              for (Mesh& mesh : s.meshes) for (Mesh::Face& face : mesh.faces) face.smooth = false;
-             for (SmoothTriangle& t : s.smooth_triangles) {
-                 const Vec3 n = glm::normalize(glm::cross(t.triangle.b - t.triangle.a, t.triangle.c - t.triangle.a));
-                 t.normal_a = t.normal_b = t.normal_c = n;
-             }
+             for (SmoothTriangle& t : s.smooth_triangles) t.normal_a = t.normal_b = t.normal_c = flat_normal(t.triangle);
          }},
         {"light_sources", 2, "light that comes from somewhere",
          [](const Scene& s) { return !s.lights.empty(); }, [](Scene& s) { s.lights.clear(); }},

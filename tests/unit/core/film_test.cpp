@@ -5,7 +5,10 @@
 #include <ImfArray.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
 #include <ImfInputFile.h>
+
+#include <unistd.h>
 
 #include <filesystem>
 
