@@ -41,7 +41,7 @@ std::vector<Question> fadings(std::uint64_t seed) {
         ask(unit / 4, truth(unit / 4), "nearer than fade_distance: more than 1");
         const double d = dice.round_between(5, 9);
         ask(d, truth(d), "2 / (1 + (d / D)^p)");
-        ask(1e6 * unit, truth(1e6 * unit), "far away: as d^-p");
+        notes.ask("fading 0 " + number(1e6 * unit), "far away: as d^-p", close_to(truth(1e6 * unit), {2e-6, 1e-30}));
     }
     // Doubling the distance of a tiny fade_distance is the inverse-square law of physics.
     notes.scene(header() + light(dice.position(5), V(1), "fade_distance 0.001 fade_power 2"));

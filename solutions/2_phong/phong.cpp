@@ -115,7 +115,7 @@ Radiance phong(const Surface& surface, const Illumination& light) {
 
 Radiance blinn(const Surface& surface, const Illumination& light) {
     //> 2.5 A highlight around the half vector h = (l + v) / |l + v|: specular (n . h)^(1 / roughness), in the
-    //>   highlight's colour. Nothing from behind. Mind l = -v. Roughness 0 counts as exponent 0.
+    //>   highlight's colour. Nothing from behind. Mind l = -v.
     const Finish& finish = *surface.finish;
     if (!(finish.specular > 0) || !(cosine(surface.normal, light.to_light) > 0)) return Radiance(0.0f);
     const Vec3 between = light.to_light + surface.to_viewer;
@@ -123,8 +123,7 @@ Radiance blinn(const Surface& surface, const Illumination& light) {
     if (!(length > 0)) return Radiance(0.0f);
     const Real n_dot_h = cosine(surface.normal, between) / length;
     if (!(n_dot_h > 0)) return Radiance(0.0f);
-    const Real exponent = finish.roughness == 0 ? Real(0) : 1 / Real(finish.roughness);
-    const float strength = finish.specular * power(n_dot_h, exponent);
+    const float strength = finish.specular * power(n_dot_h, 1 / Real(finish.roughness));
     return strength > 0 ? strength * highlight_color(surface, light) : Radiance(0.0f);
     //< 2.5
 }
