@@ -1,0 +1,140 @@
+#include "grader/answers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "grader/text.h"
+
+namespace rays::grader {
+namespace {
+
+constexpr std::size_t kLongestLine = 4096;
+constexpr std::size_t kMostNumbers = 64;
+constexpr int kMostLosses = 4;
+
+// All of the words as numbers; false when one is none.
+bool parse_numbers(std::string_view words, std::vector<double>& numbers) {
+    std::string text(words);
+    for (const char* at = text.c_str(); *at != '\0';) {
+        if (*at == ' ') {
+            ++at;
+            continue;
+        }
+        char* end = nullptr;
+        const double value = std::strtod(at, &end);
+        if (end == at || (*end != ' ' && *end != '\0') || numbers.size() == kMostNumbers) return false;
+        numbers.push_back(value);
+        at = end;
+    }
+    return !numbers.empty();
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const auto end = text.find('\n');
+        if (end == std::string_view::npos) break;  // a line without its end was cut off
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(end + 1);
+    }
+    return lines;
+}
+
+std::string how_it_ended(const Ended& e) {
+    if (e.timed_out) return fmt::format("the program ran out of time ({:.1f} s of processor, {:.1f} s in all)", e.cpu_s, e.wall_s);
+    if (e.flooded) return "the program wrote more text than allowed";
+    if (e.signal) return "the program crashed: " + signal_text(e.signal);
+    if (e.exit != 0) return fmt::format("the program ended with status {}: {}", e.exit, plain(e.err));
+    return {};
+}
+
+struct Run {
+    Ended ended;
+    std::vector<Answer> answers;  ///< those that came
+    bool surplus = false;         ///< more lines than questions
+};
+
+Run run_once(const Sandbox& sandbox, const std::filesystem::path& program, const std::vector<const Question*>& questions,
+             const Limits& limits) {
+    Run run;
+    Job job;
+    job.program = program;
+    job.arguments = {"--answer"};
+    job.input = question_text(questions);
+    job.limits = limits;
+    run.ended = sandbox.run(job).ended;
+    const auto lines = lines_of(run.ended.out);
+    run.surplus = lines.size() > questions.size();
+    for (std::size_t i = 0; i < std::min(lines.size(), questions.size()); ++i) run.answers.push_back(parse_answer(lines[i]));
+    return run;
+}
+
+void ask_one_by_one(const Sandbox& sandbox, const std::filesystem::path& program,
+                    const std::vector<const Question*>& questions, Limits limits, Replies& replies) {
+    limits.wall_s = std::min(limits.wall_s, 5.0);
+    limits.cpu_s = std::min(limits.cpu_s, 4.0);
+    int losses = 0;
+    for (std::size_t i = 0; i < questions.size() && losses < kMostLosses; ++i) {
+        if (replies.answers[i].kind != Answer::Kind::missing) continue;
+        Run run = run_once(sandbox, program, {questions[i]}, limits);
+        if (run.ended.ok() && run.answers.size() == 1 && !run.surplus) replies.answers[i] = run.answers[0];
+        else ++losses;
+    }
+}
+
+}  // namespace
+
+Answer parse_answer(std::string_view line) {
+    Answer answer;
+    answer.text = std::string(line.substr(0, kLongestLine));
+    while (!answer.text.empty() && (answer.text.back() == ' ' || answer.text.back() == '\r')) answer.text.pop_back();
+    const std::string_view text = answer.text;
+    if (text == "miss") answer.kind = Answer::Kind::miss;
+    else if (text.starts_with("unfinished ")) answer.kind = Answer::Kind::unfinished;
+    else if (parse_numbers(text.starts_with("hit ") ? text.substr(4) : text, answer.numbers)) answer.kind = Answer::Kind::value;
+    else answer.kind = Answer::Kind::error;
+    if (answer.kind != Answer::Kind::value) answer.numbers.clear();
+    return answer;
+}
+
+std::string question_text(const std::vector<const Question*>& questions) {
+    std::string text;
+    const std::string* scene = nullptr;
+    for (const Question* q : questions) {
+        if (!scene || *scene != q->scene) text += fmt::format("scene {}\n{}", q->scene.size(), q->scene);
+        scene = &q->scene;
+        text += q->query + '\n';
+    }
+    return text;
+}
+
+Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const std::vector<const Question*>& questions,
+            const Limits& limits) {
+    Replies replies;
+    replies.answers.resize(questions.size());
+    if (questions.empty()) return replies;
+    Run run = run_once(sandbox, program, questions, limits);
+    replies.ended = run.ended;
+    replies.infrastructure = !run.ended.started;
+    if (replies.infrastructure) {
+        replies.problem = run.ended.problem;
+        return replies;
+    }
+    if (run.surplus) {
+        // No line can be trusted to be the answer to its question.
+        replies.problem = fmt::format("more lines than the {} questions asked: does your code print to standard output?", questions.size());
+        return replies;
+    }
+    const bool whole = run.ended.ok() && run.answers.size() == questions.size();
+    std::copy(run.answers.begin(), run.answers.end(), replies.answers.begin());
+    if (whole) return replies;
+    replies.problem = how_it_ended(run.ended);
+    if (replies.problem.empty()) replies.problem = fmt::format("{} answers to {} questions", run.answers.size(), questions.size());
+    if (run.ended.ok()) return replies;
+    ask_one_by_one(sandbox, program, questions, limits, replies);
+    return replies;
+}
+
+}  // namespace rays::grader

@@ -1,0 +1,49 @@
+// What each mutant answers to a fixed set of questions, and which mutant a student's answers look like.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/questions.h"
+#include "grader/results.h"
+
+namespace rays::grader {
+
+/// Questions of a step that never change: fixed seed, probes through fresh scenes included.
+std::vector<Question> diagnostic_questions(int step, const std::vector<std::string>& tasks);
+
+/// Which questions were asked, as one number: fingerprints of other questions are of no use.
+std::string questions_hash(const std::vector<Question>& questions);
+
+/// A program's answers where they differ from the solution's: number of the question -> answer, shortened.
+using Fingerprint = std::map<int, std::string>;
+
+/// Answers that did not come (unfinished, crash) are not part of it.
+Fingerprint fingerprint(const std::vector<Answer>& answers, const std::vector<Answer>& solution);
+
+struct KnownMutant {
+    std::string id, task, title, seen;
+    Fingerprint fingerprint;
+};
+
+struct StepFingerprints {
+    std::string questions;  ///< questions_hash
+    std::vector<KnownMutant> mutants;
+    std::map<std::string, std::vector<ChartSeries>> naive;  ///< by sweep: what naive methods reach
+};
+
+struct Fingerprints {
+    std::map<int, StepFingerprints> steps;
+};
+
+Fingerprints read_fingerprints(const std::filesystem::path& file);
+void write_fingerprints(const Fingerprints& fingerprints, const std::filesystem::path& file);
+
+/// The one mutant that explains the answers: it shares nine tenths of its own differences with them, half of theirs
+/// with its own, and no other mutant comes as near.
+std::optional<KnownMutant> nearest_mutant(const Fingerprint& student, const std::vector<KnownMutant>& mutants);
+
+}  // namespace rays::grader

@@ -1,0 +1,28 @@
+// Random scenes made for one run, so that nothing can be learned by heart.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/questions.h"
+
+namespace rays::grader {
+
+struct FreshScene {
+    std::string sdl;
+    std::vector<std::string> rays;  ///< "OX OY OZ DX DY DZ": some rays that look at what the scene is about
+};
+
+inline constexpr int kFreshWidth = 56, kFreshHeight = 42;
+inline constexpr int kFreshScenesPerTask = 2;
+
+/// A small scene about one task ("1.3": spheres), with as little else as possible. Nothing for a task without fresh
+/// scenes. The same seed gives the same text.
+std::optional<FreshScene> fresh_scene(const std::string& task, std::uint64_t seed);
+
+/// Rays through fresh scenes of the given tasks, as questions without a judge: for fingerprints.
+std::vector<Question> probe_questions(const std::vector<std::string>& tasks, std::uint64_t seed);
+
+}  // namespace rays::grader

@@ -1,0 +1,231 @@
+#include "grader/grade_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+
+#include "grader/answers.h"
+#include "grader/course.h"
+#include "grader/student_build.h"
+#include "grader/verdicts.h"
+#include "references/in_parallel.h"
+
+namespace rays::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+using CheckMaker = std::function<std::vector<Check>()>;
+
+bool wrong(const Check& c) { return c.verdict == Verdict::fail || c.verdict == Verdict::partial; }
+
+std::vector<CheckMaker> task_checks(const StepOrder& order, const Task& task, const std::vector<Question>& questions, const std::vector<Sweep>& sweeps) {
+    const auto is_its = [&](const auto& x) { return x.task == task.id; };
+    const bool unit = std::any_of(questions.begin(), questions.end(), is_its), fresh = has_fresh_scenes(task.id);
+    const Shares shares = shares_of(task.points, unit, fresh, static_cast<std::size_t>(std::count_if(sweeps.begin(), sweeps.end(), is_its)));
+    const Bench& bench = order.bench;
+    std::vector<CheckMaker> makers;
+    if (unit) makers.push_back([&, shares] { return std::vector{unit_check(bench, task, questions, shares.unit)}; });
+    if (fresh) makers.push_back([&, shares] { return std::vector{fresh_check(bench, task, shares.fresh)}; });
+    for (const Sweep& sweep : sweeps) {
+        if (!is_its(sweep)) continue;
+        makers.push_back([&, shares] {
+            static const std::vector<ChartSeries> none;
+            const bool known = order.fingerprints && order.fingerprints->naive.count(sweep.id);
+            return std::vector{sweep_check(bench, sweep, known ? order.fingerprints->naive.at(sweep.id) : none, shares.each_sweep)};
+        });
+    }
+    return makers;
+}
+
+Check copied_as_all_mine(Check check) {
+    check.id += ".all_mine";
+    check.mode = "all mine";
+    check.title += " (all steps yours)";
+    check.points = check.max = 0;
+    return check;
+}
+
+// Where the step alone is wrong already, its picture among the student's other steps says nothing new.
+std::vector<Check> picture_checks(const StepOrder& order, const SceneTask& scene) {
+    std::vector<Check> checks{image_check(order.bench, scene)};
+    if (checks.front().verdict != Verdict::pass || order.all_mine.empty()) return checks;
+    if (order.all_mine == order.bench.student) {
+        checks.push_back(copied_as_all_mine(checks.front()));
+        return checks;
+    }
+    checks.push_back(all_mine_check(order.bench, scene, order.all_mine));
+    if (wrong(checks.back())) checks.back().message += "; with the solution's other steps it is right: another step of yours plays a part";
+    return checks;
+}
+
+std::vector<Check> run_all(const std::vector<CheckMaker>& makers, int workers) {
+    std::vector<std::vector<Check>> results(makers.size());
+    in_parallel(makers.size(), workers, [&](std::size_t i) {
+        try {
+            results[i] = makers[i]();
+        } catch (const std::exception& e) {
+            Check broken;
+            broken.id = "grader";
+            broken.verdict = Verdict::infrastructure_error;
+            broken.message = e.what();
+            results[i] = {broken};
+        }
+    });
+    std::vector<Check> checks;
+    for (auto& list : results) checks.insert(checks.end(), list.begin(), list.end());
+    return checks;
+}
+
+Check not_built(const std::string& id, const std::string& task, const std::string& kind, double max, const std::string& message) {
+    Check check;
+    check.id = id;
+    check.task = task;
+    check.kind = kind;
+    check.title = id;
+    check.verdict = Verdict::build_error;
+    check.max = max;
+    check.message = message;
+    return check;
+}
+
+std::vector<Check> build_error_checks(const Step& step, const std::string& message) {
+    std::vector<Check> checks;
+    for (const Task& t : step.tasks) checks.push_back(not_built(t.id + ".unit", t.id, "unit", t.points, message));
+    for (const SceneTask& s : step.scenes)
+        checks.push_back(not_built(fmt::format("{}.picture.{}", step.number, fs::path(s.scene).stem().string()), s.tasks.empty() ? "" : s.tasks.front(), "image", s.points, message));
+    return checks;
+}
+
+// A picture known by heart is no ray tracing: it counts when a fresh scene of one of its tasks comes out right, too.
+void withhold_unconfirmed_pictures(const Step& step, std::vector<Check>& checks) {
+    for (const SceneTask& scene : step.scenes) {
+        int asked = 0, right = 0;
+        for (const Check& c : checks) {
+            const bool its = c.kind == "fresh" && std::find(scene.tasks.begin(), scene.tasks.end(), c.task) != scene.tasks.end();
+            asked += its;
+            right += its && (c.verdict == Verdict::pass || c.verdict == Verdict::partial);
+        }
+        for (Check& c : checks) {
+            if (c.kind != "image" || c.mode != "isolated" || c.verdict != Verdict::pass || c.image->scene != scene.scene || asked == 0 || right > 0) continue;
+            c.points = 0;
+            c.verdict = Verdict::partial;
+            c.message += "; but no fresh scene of its tasks agrees with the solution, so it does not count";
+        }
+    }
+}
+
+void add_mutant(const StepOrder& order, std::vector<Check>& checks) {
+    if (!order.fingerprints || std::none_of(checks.begin(), checks.end(), wrong)) return;
+    const auto mutant = diagnose(order.bench, *order.fingerprints);
+    if (!mutant) return;
+    const auto concerns = [&](const Check& c) { return wrong(c) && c.task == mutant->task; };
+    const bool any = std::any_of(checks.begin(), checks.end(), concerns);
+    for (Check& c : checks) {
+        if (any ? !concerns(c) : !wrong(c)) continue;
+        c.diagnosis.push_back({"mutant", fmt::format("your answers equal those of a known mistake: {}{}", mutant->title, mutant->seen.empty() ? "" : " (seen as: " + mutant->seen + ")"), mutant->id});
+    }
+}
+
+void add_hints(const Step& step, std::vector<Check>& checks) {
+    for (Check& c : checks) {
+        const Task* task = step.find(c.task);
+        if (task && !task->hints.empty() && c.mode == "isolated" && (wrong(c) || c.verdict == Verdict::not_started)) c.diagnosis.push_back({"hint", task->hints.front(), {}});
+    }
+}
+
+// The line where the student still has to write, or the starter's comment above it.
+int line_of(const fs::path& file, const std::string& task) {
+    std::ifstream in(file);
+    int number = 0, comment = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if (line.find("unfinished(\"" + task + "\")") != std::string::npos) return number;
+        if (comment == 0 && line.find("Task " + task + ":") != std::string::npos) comment = number;
+    }
+    return comment;
+}
+
+TaskResult task_result(const StepOrder& order, const Task& task, const std::vector<Check>& checks) {
+    TaskResult result;
+    result.id = task.id;
+    result.title = task.title;
+    result.max = task.points;
+    std::vector<Verdict> verdicts;
+    for (const Check& c : checks) {
+        if (c.task != task.id || c.kind == "image") continue;
+        verdicts.push_back(c.verdict);
+        result.points += c.points;
+    }
+    result.verdict = combine(verdicts);
+    if (result.verdict != Verdict::pass && !task.hints.empty()) result.hint = task.hints.front();
+    const std::string file = order.bench.step.id + "/" + task.file;
+    result.file = "steps/" + file;
+    result.line = line_of(submitted_file(order.bench.project, order.submission, file), task.id);
+    return result;
+}
+
+void add_reproduce(const StepOrder& order, std::vector<Check>& checks) {
+    for (Check& c : checks) {
+        c.reproduce = fmt::format("./rays grade {} --seed {}", order.bench.step.number, order.bench.seed);
+        if (c.kind == "image" && c.image)
+            c.reproduce = fmt::format("./rays render scenes/{} -o picture.exr --from student --width {} --height {}", c.image->scene, c.image->width, c.image->height);
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> task_ids(const Step& step) {
+    std::vector<std::string> ids;
+    for (const Task& t : step.tasks) ids.push_back(t.id);
+    return ids;
+}
+
+Shares shares_of(double points, bool unit, bool fresh, std::size_t sweeps) {
+    constexpr double kUnit = 6, kFresh = 2, kSweeps = 2;
+    const double whole = (unit ? kUnit : 0) + (fresh ? kFresh : 0) + (sweeps ? kSweeps : 0);
+    if (whole == 0) return {};
+    return {unit ? points * kUnit / whole : 0, fresh ? points * kFresh / whole : 0, sweeps ? points * kSweeps / whole / double(sweeps) : 0};
+}
+
+std::optional<KnownMutant> diagnose(const Bench& bench, const StepFingerprints& fingerprints) {
+    const auto questions = diagnostic_questions(bench.step.number, task_ids(bench.step));
+    if (questions_hash(questions) != fingerprints.questions) return {};
+    std::vector<const Question*> asked;
+    for (const Question& q : questions) asked.push_back(&q);
+    const Replies student = ask(bench.sandbox, bench.student, asked, bench.limits);
+    const Replies solution = ask(bench.sandbox, bench.solution, asked, bench.limits);
+    return nearest_mutant(fingerprint(student.answers, solution.answers), fingerprints.mutants);
+}
+
+StepResult grade_step(const StepOrder& order) {
+    const Step& step = order.bench.step;
+    StepResult result{step.id, step.title, step.number, Verdict::fail, 0, step.points(), {}, {}};
+    const auto questions = questions_of(step.number, order.bench.seed);
+    const auto sweeps = sweeps_of(step.number, order.bench.seed);
+    if (!order.build_error.empty()) {
+        result.checks = build_error_checks(step, order.build_error);
+    } else {
+        std::vector<CheckMaker> makers;
+        for (const Task& task : step.tasks)
+            for (CheckMaker& maker : task_checks(order, task, questions, sweeps)) makers.push_back(std::move(maker));
+        for (const SceneTask& scene : step.scenes) makers.push_back([&] { return picture_checks(order, scene); });
+        result.checks = run_all(makers, order.workers);
+        withhold_unconfirmed_pictures(step, result.checks);
+        add_mutant(order, result.checks);
+        add_hints(step, result.checks);
+    }
+    add_reproduce(order, result.checks);
+    std::vector<Verdict> verdicts;
+    for (const Check& c : result.checks) {
+        result.points += c.points;
+        if (c.mode == "isolated") verdicts.push_back(c.verdict);
+    }
+    for (const Task& task : step.tasks) result.tasks.push_back(task_result(order, task, result.checks));
+    result.verdict = combine(verdicts);
+    return result;
+}
+
+}  // namespace rays::grader

@@ -1,0 +1,219 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "grader/checks.h"
+#include "grader/compare.h"
+#include "grader/explain_picture.h"
+#include "grader/fresh_scenes.h"
+#include "grader/ray_trees.h"
+#include "grader/shoot.h"
+#include "grader/text.h"
+#include "references/files.h"
+#include "references/manifest.h"
+#include "references/sha256.h"
+
+namespace rays::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kShownTree = 6000;
+
+std::string stem(const std::string& scene) { return fs::path(scene).stem().string(); }
+
+std::string kept(const Bench& bench, const std::string& name, const std::string& exr) {
+    if (bench.out.empty() || exr.empty()) return {};
+    write_atomically(bench.out / "images" / (name + ".exr"), exr);
+    return "images/" + name + ".exr";
+}
+
+void fill(ImageResult& image, const Comparison& c, const Reference& truth, const RgbImage& picture, const Tolerance& tolerance) {
+    image.width = truth.raster().width;
+    image.height = truth.raster().height;
+    image.pixels = c.pixels;
+    image.beyond_rounding = c.beyond;
+    image.on_silhouettes = c.on_silhouettes;
+    image.max_error = c.max_error;
+    image.rmse = c.rmse;
+    image.tolerance = tolerance.relative + tolerance.absolute;
+    image.worst_x = c.worst_x;
+    image.worst_y = c.worst_y;
+    image.worst_student = picture.at(c.worst_x, c.worst_y);
+    image.worst_reference = truth.frame.at(c.worst_x, c.worst_y);
+}
+
+std::string unfinished_text(const std::vector<UnfinishedPlace>& places) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(places.size(), 4); ++i)
+        text += fmt::format("{}{} ({}:{})", i ? ", " : "", places[i].task, places[i].file, places[i].line);
+    return text + (places.size() > 4 ? ", ..." : "");
+}
+
+/// One picture held against the truth, with everything that explains it.
+struct Viewing {
+    const Bench& bench;
+    const fs::path& program;
+    const SceneFiles& files;
+    const Reference& truth;
+    Tolerance tolerance;
+    int least_allowed = 0;
+};
+
+void explain(const Viewing& v, const RgbImage& picture, Check& check) {
+    if (const auto text = explain_picture(picture, v.truth, v.tolerance)) check.diagnosis.push_back({"picture", *text, {}});
+    ImageResult& image = *check.image;
+    const auto tree = [&](const fs::path& program, bool json) {
+        return ray_tree(v.bench.sandbox, program, v.files, v.truth.raster(), image.worst_x, image.worst_y, json, v.bench.limits);
+    };
+    RayTrees trees{plain_lines(tree(v.program, false), kShownTree), plain_lines(tree(v.bench.solution, false), kShownTree),
+                   first_difference(tree(v.program, true), tree(v.bench.solution, true))};
+    if (!trees.first_difference.empty())
+        check.diagnosis.push_back({"tree", fmt::format("pixel ({}, {}), {}", image.worst_x, image.worst_y, trees.first_difference), {}});
+    image.trees = std::move(trees);
+}
+
+// Sets verdict, message, points, and the image's numbers.
+void judge(const Viewing& v, const Shot& shot, Check& check) {
+    check.seconds += shot.seconds;
+    if (shot.against) {
+        check.verdict = shot.against->verdict;
+        check.message = shot.against->message;
+        return;
+    }
+    const Comparison c = compare(shot.picture, v.truth, v.tolerance, v.least_allowed);
+    fill(*check.image, c, v.truth, shot.picture, v.tolerance);
+    if (c.passed) {
+        check.verdict = Verdict::pass;
+        check.points = check.max;
+        check.message = fmt::format("every pixel within the rounding of the reference, but {} of {} on silhouettes; largest difference elsewhere {:.2g}",
+                                    c.on_silhouettes, c.pixels, c.max_error);
+    } else if (!shot.unfinished.empty()) {
+        check.verdict = Verdict::not_started;
+        check.message = "the picture waits for task " + unfinished_text(shot.unfinished);
+    } else {
+        check.verdict = Verdict::fail;
+        check.message = c.problem;
+        if (v.bench.explain && v.program != v.bench.solution) explain(v, shot.picture, check);
+    }
+}
+
+struct Target {
+    SceneFiles files;
+    Reference truth;
+    fs::path reference;
+};
+
+// Throws InputError when scene and reference do not belong together: nobody's mistake but the course's.
+Target target_of(const Bench& bench, const SceneTask& scene) {
+    static const Manifest manifest = load_manifest(bench.project.references() / "manifest.json");
+    const ManifestEntry* entry = manifest.find(scene.scene);
+    if (!entry) throw InputError(fmt::format("{} has no reference: run ./rays references {}", scene.scene, stem(scene.scene)));
+    Target target;
+    target.files = scene_files(bench.project.scenes() / scene.scene);
+    if (sha256(target.files.front().bytes) != entry->sha256)
+        throw InputError(fmt::format("{} has changed since its reference was made: run ./rays references {}", scene.scene, stem(scene.scene)));
+    target.reference = bench.project.references() / entry->reference;
+    target.truth = load_reference(target.reference);
+    return target;
+}
+
+Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& program, const std::string& mode) {
+    Check check;
+    const bool isolated = mode == "isolated";
+    check.id = fmt::format("{}.picture.{}{}", bench.step.number, stem(scene.scene), isolated ? "" : ".all_mine");
+    check.task = scene.tasks.empty() ? std::string() : scene.tasks.front();
+    check.kind = "image";
+    check.mode = mode;
+    check.title = scene.shows.empty() ? stem(scene.scene) : scene.shows;
+    check.max = isolated ? scene.points : 0;
+    check.image.emplace().scene = scene.scene;
+    try {
+        const Target target = target_of(bench, scene);
+        const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits);
+        check.image->student = kept(bench, check.id, shot.exr);
+        if (!bench.out.empty()) check.image->reference = fs::relative(target.reference, bench.out).string();
+        check.image->width = target.truth.raster().width;
+        check.image->height = target.truth.raster().height;
+        judge({bench, program, target.files, target.truth, kReferenceTolerance}, shot, check);
+    } catch (const InputError& e) {
+        check.verdict = Verdict::infrastructure_error;
+        check.message = e.what();
+    }
+    return check;
+}
+
+// The solution's picture and what lies around each of its pixels.
+struct FreshTruth {
+    std::optional<Finding> against;
+    Reference truth;
+    std::string exr;
+};
+
+FreshTruth fresh_truth(const Bench& bench, const SceneFiles& files) {
+    const Raster raster{kFreshWidth, kFreshHeight}, fine{4 * kFreshWidth, 4 * kFreshHeight};
+    const Shot frame = shoot(bench.sandbox, bench.solution, files, raster, bench.limits);
+    const Shot around = shoot(bench.sandbox, bench.solution, files, fine, bench.limits);
+    FreshTruth result;
+    result.against = frame.against ? frame.against : around.against;
+    if (!result.against) result.truth = make_reference(frame.picture, around.picture);
+    result.exr = frame.exr;
+    return result;
+}
+
+}  // namespace
+
+Check image_check(const Bench& bench, const SceneTask& scene) { return picture_check(bench, scene, bench.student, "isolated"); }
+
+Check all_mine_check(const Bench& bench, const SceneTask& scene, const fs::path& all_mine) {
+    Check check = picture_check(bench, scene, all_mine, "all mine");
+    check.title += " (all steps yours)";
+    return check;
+}
+
+bool has_fresh_scenes(const std::string& task) { return fresh_scene(task, 1).has_value(); }
+
+Check fresh_check(const Bench& bench, const Task& task, double max) {
+    Check check;
+    check.id = task.id + ".fresh";
+    check.task = task.id;
+    check.kind = "fresh";
+    check.title = task.title + ": fresh scenes";
+    check.max = max;
+    // Small pictures: 0.05 % is about one pixel, and two equally good roundings may part on more than one edge pixel.
+    constexpr int kLeastAllowed = 3;
+    int right = 0;
+    for (int i = 0; i < kFreshScenesPerTask; ++i) {
+        const auto scene = fresh_scene(task.id, bench.seed + static_cast<std::uint64_t>(i));
+        const SceneFiles files{{"fresh.pov", scene->sdl}};
+        const FreshTruth truth = fresh_truth(bench, files);
+        Check one = check;
+        one.image.emplace().scene = fmt::format("fresh scene {} of task {}", i + 1, task.id);
+        if (truth.against) {
+            check.verdict = Verdict::infrastructure_error;
+            check.message = "the solution cannot render a fresh scene: " + truth.against->message;
+            return check;
+        }
+        const Shot shot = shoot(bench.sandbox, bench.student, files, {kFreshWidth, kFreshHeight}, bench.limits);
+        judge({bench, bench.student, files, truth.truth, kFreshTolerance, kLeastAllowed}, shot, one);
+        check.seconds += one.seconds;
+        right += one.verdict == Verdict::pass;
+        if (one.verdict == Verdict::pass || check.image) continue;
+        check.verdict = one.verdict;
+        check.message = "; " + one.message;
+        check.diagnosis = one.diagnosis;
+        check.image = one.image;
+        check.image->student = kept(bench, check.id, shot.exr);
+        check.image->reference = check.image->solution = kept(bench, check.id + ".solution", truth.exr);
+        check.questions.push_back({"the scene", "", scene->sdl, "the solution's picture", "another picture", false});
+    }
+    check.message = fmt::format("{} of {} fresh scenes equal to the solution's", right, kFreshScenesPerTask) + check.message;
+    check.points = max * right / kFreshScenesPerTask;
+    if (right == kFreshScenesPerTask) check.verdict = Verdict::pass;
+    else if (right > 0 && check.verdict == Verdict::fail) check.verdict = Verdict::partial;
+    return check;
+}
+
+}  // namespace rays::grader

@@ -1,0 +1,185 @@
+#include "grader/results.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "references/files.h"
+
+namespace rays::grader {
+namespace {
+
+using nlohmann::ordered_json;
+using Json = ordered_json;
+
+constexpr const char* kSchema = "raysteps-results/1";
+
+constexpr std::array kVerdicts{"pass",        "partial", "fail",     "not started",
+                               "build error", "crash",   "time-out", "infrastructure error"};
+
+Verdict verdict_of(const std::string& text) {
+    for (std::size_t i = 0; i < kVerdicts.size(); ++i)
+        if (text == kVerdicts[i]) return static_cast<Verdict>(i);
+    throw InputError("unknown verdict " + text);
+}
+
+// A sum of thirds is shown as 7, not as 6.9999999999.
+double rounded(double points) { return std::round(points * 1000) / 1000; }
+
+// JSON knows no NaN: null stands for it, and for infinity.
+Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+Json color(const Rgb& c) { return Json::array({number(c[0]), number(c[1]), number(c[2])}); }
+
+Json json_of(const Diagnosis& d) {
+    Json j{{"kind", d.kind}, {"text", d.text}};
+    if (!d.mutant.empty()) j["mutant"] = d.mutant;
+    return j;
+}
+
+Json json_of(const AskedQuestion& q) {
+    return {{"about", q.about}, {"query", q.query}, {"scene", q.scene}, {"expected", q.expected}, {"answer", q.answer}, {"ok", q.ok}};
+}
+
+Json json_of(const ImageResult& i) {
+    Json j{{"scene", i.scene}};
+    if (!i.student.empty()) j["student"] = i.student;
+    if (!i.reference.empty()) j["reference"] = i.reference;
+    if (!i.solution.empty()) j["solution"] = i.solution;
+    j.update({{"width", i.width}, {"height", i.height}, {"pixels", i.pixels}, {"beyond_rounding", i.beyond_rounding},
+              {"on_silhouettes", i.on_silhouettes}, {"max_error", number(i.max_error)}, {"rmse", number(i.rmse)},
+              {"tolerance", i.tolerance}});
+    j["worst"] = {{"x", i.worst_x}, {"y", i.worst_y}, {"student", color(i.worst_student)}, {"reference", color(i.worst_reference)}};
+    if (i.trees) j["trees"] = {{"student", i.trees->student}, {"solution", i.trees->solution}, {"first_difference", i.trees->first_difference}};
+    return j;
+}
+
+Json json_of(const Chart& c) {
+    Json series = Json::array();
+    for (const ChartSeries& s : c.series) {
+        Json points = Json::array();
+        for (const auto& [x, y] : s.points) points.push_back(Json::array({number(x), y ? number(*y) : Json(nullptr)}));
+        series.push_back({{"name", s.name}, {"role", s.role}, {"points", points}});
+    }
+    return {{"title", c.title}, {"x_label", c.x_label}, {"y_label", c.y_label}, {"log_x", c.log_x}, {"log_y", c.log_y},
+            {"pass_from", c.pass_from}, {"pass_to", c.pass_to}, {"series", series}};
+}
+
+template <class T>
+Json list(const std::vector<T>& items);
+
+Json json_of(const Check& c) {
+    Json j{{"id", c.id}, {"task", c.task}, {"kind", c.kind}, {"mode", c.mode}, {"title", c.title},
+           {"verdict", to_string(c.verdict)}, {"points", rounded(c.points)}, {"max", c.max}, {"message", c.message},
+           {"reproduce", c.reproduce}, {"seconds", rounded(c.seconds)}, {"diagnosis", list(c.diagnosis)}};
+    if (!c.questions.empty()) j["questions"] = list(c.questions);
+    if (c.image) j["image"] = json_of(*c.image);
+    if (c.chart) j["chart"] = json_of(*c.chart);
+    return j;
+}
+
+Json json_of(const TaskResult& t) {
+    return {{"id", t.id}, {"title", t.title}, {"verdict", to_string(t.verdict)}, {"points", rounded(t.points)}, {"max", t.max},
+            {"hint", t.hint}, {"file", t.file}, {"line", t.line}};
+}
+
+Json json_of(const StepResult& s) {
+    return {{"id", s.id}, {"number", s.number}, {"title", s.title}, {"verdict", to_string(s.verdict)},
+            {"points", rounded(s.points)}, {"max", s.max}, {"tasks", list(s.tasks)}, {"checks", list(s.checks)}};
+}
+
+Json json_of(const RubricResult& r) {
+    return {{"id", r.id}, {"title", r.title}, {"points", rounded(r.points)}, {"max", r.max}, {"extra", r.extra},
+            {"graded", r.graded}, {"note", r.note}};
+}
+
+template <class T>
+Json list(const std::vector<T>& items) {
+    Json j = Json::array();
+    for (const T& item : items) j.push_back(json_of(item));
+    return j;
+}
+
+Json json_of(const Results& r) {
+    const bool broken = !r.infrastructure_error.empty();
+    return {{"schema", kSchema},
+            {"created", r.created},
+            {"submission", {{"name", r.submission_name}, {"from", r.submission_from}}},
+            {"machine", {{"cpu", r.cpu}, {"cores", r.cores}, {"os", r.os}}},
+            {"versions", {{"raysteps", r.raysteps}, {"povray", r.povray}, {"compiler", r.compiler}, {"real", r.real}}},
+            {"sandbox",
+             {{"tier", r.sandbox_tier},
+              {"limits", {{"cpu_s", r.cpu_s}, {"memory_mb", r.memory_mb}, {"processes", r.processes}, {"output_mb", r.output_mb}}}}},
+            {"seed", r.seed},
+            {"seconds", rounded(r.seconds)},
+            {"complete", r.complete},
+            {"status", broken ? "infrastructure error" : "graded"},
+            {"message", r.infrastructure_error},
+            {"score", {{"points", rounded(r.points)}, {"max", r.max}}},
+            {"rubric", list(r.rubric)},
+            {"steps", list(r.steps)}};
+}
+
+// ---- reading, for the summary and the exporters: no pictures' details, no charts -------------------------------------
+
+Check check_of(const Json& j) {
+    Check c;
+    c.id = j.at("id"), c.task = j.at("task"), c.kind = j.at("kind"), c.mode = j.at("mode"), c.title = j.at("title");
+    c.verdict = verdict_of(j.at("verdict"));
+    c.points = j.at("points"), c.max = j.at("max"), c.message = j.at("message"), c.reproduce = j.at("reproduce");
+    c.seconds = j.at("seconds");
+    for (const Json& d : j.at("diagnosis")) c.diagnosis.push_back({d.at("kind"), d.at("text"), d.value("mutant", "")});
+    if (j.contains("image")) {
+        const Json& i = j.at("image");
+        c.image.emplace();
+        c.image->scene = i.at("scene");
+        c.image->student = i.value("student", ""), c.image->reference = i.value("reference", ""), c.image->solution = i.value("solution", "");
+    }
+    return c;
+}
+
+StepResult step_of(const Json& j) {
+    StepResult s;
+    s.id = j.at("id"), s.number = j.at("number"), s.title = j.at("title"), s.verdict = verdict_of(j.at("verdict"));
+    s.points = j.at("points"), s.max = j.at("max");
+    for (const Json& t : j.at("tasks"))
+        s.tasks.push_back({t.at("id"), t.at("title"), verdict_of(t.at("verdict")), t.at("points"), t.at("max"), t.at("hint"), t.at("file"), t.at("line")});
+    for (const Json& c : j.at("checks")) s.checks.push_back(check_of(c));
+    return s;
+}
+
+Results results_of(const Json& j) {
+    if (j.at("schema") != kSchema) throw InputError("not of schema " + std::string(kSchema));
+    Results r;
+    r.created = j.at("created"), r.submission_name = j.at("submission").at("name"), r.submission_from = j.at("submission").at("from");
+    r.sandbox_tier = j.at("sandbox").at("tier"), r.seed = j.at("seed"), r.seconds = j.at("seconds"), r.complete = j.at("complete");
+    r.infrastructure_error = j.at("message");
+    r.points = j.at("score").at("points"), r.max = j.at("score").at("max");
+    for (const Json& row : j.at("rubric"))
+        r.rubric.push_back({row.at("id"), row.at("title"), row.at("points"), row.at("max"), row.at("extra"), row.at("graded"), row.at("note")});
+    for (const Json& s : j.at("steps")) r.steps.push_back(step_of(s));
+    return r;
+}
+
+}  // namespace
+
+std::string to_string(Verdict verdict) { return kVerdicts[static_cast<std::size_t>(verdict)]; }
+
+std::string to_json(const Results& results) {
+    // Texts were made plain where they came in; should a byte have slipped through, it must not lose the whole result.
+    return json_of(results).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_results(const Results& results, const std::filesystem::path& file) { write_atomically(file, to_json(results)); }
+
+Results read_results(const std::filesystem::path& file) {
+    try {
+        return results_of(Json::parse(read_file(file)));
+    } catch (const Json::exception& e) {
+        throw InputError(fmt::format("{}: {}", file.string(), e.what()));
+    }
+}
+
+}  // namespace rays::grader

@@ -1,0 +1,126 @@
+// The result of a grading run: plain data, and its one canonical form, results.json (schema raysteps-results/1).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "references/reference.h"
+
+namespace rays::grader {
+
+enum class Verdict { pass, partial, fail, not_started, build_error, crash, time_out, infrastructure_error };
+
+/// "pass", "not started", "time-out", ...
+std::string to_string(Verdict verdict);
+
+struct Diagnosis {
+    std::string kind;    ///< "mutant", "tree", "picture" or "hint"
+    std::string text;
+    std::string mutant;  ///< its id, for kind "mutant"
+};
+
+struct AskedQuestion {
+    std::string about, query, scene, expected, answer;
+    bool ok = false;
+};
+
+struct RayTrees {
+    std::string student, solution, first_difference;
+};
+
+struct ImageResult {
+    std::string scene;
+    std::string student, reference, solution;  ///< paths relative to the folder of results.json; empty: there is none
+    int width = 0, height = 0, pixels = 0, beyond_rounding = 0, on_silhouettes = 0;
+    double max_error = 0, rmse = 0;
+    double tolerance = 0;  ///< for a value of 1
+    int worst_x = 0, worst_y = 0;
+    Rgb worst_student{}, worst_reference{};
+    std::optional<RayTrees> trees;
+};
+
+struct ChartSeries {
+    std::string name;
+    std::string role;  ///< "solution", "student" or "naive"
+    std::vector<std::pair<double, std::optional<double>>> points;  ///< no value: failed there
+};
+
+struct Chart {
+    std::string title, x_label, y_label;
+    bool log_x = true, log_y = true;
+    double pass_from = 0, pass_to = 0;
+    std::vector<ChartSeries> series;
+};
+
+struct Check {
+    std::string id;    ///< "1.3.unit", "1.picture.one_sphere", "1.3.fresh", "1.3.distance"
+    std::string task;  ///< the task it belongs to
+    std::string kind;  ///< "unit", "image", "fresh" or "stability"
+    std::string mode = "isolated";  ///< or "all mine"
+    std::string title;
+    Verdict verdict = Verdict::fail;
+    double points = 0, max = 0;
+    std::string message;
+    std::string reproduce;
+    double seconds = 0;
+    std::vector<Diagnosis> diagnosis;
+    std::vector<AskedQuestion> questions;
+    std::optional<ImageResult> image;
+    std::optional<Chart> chart;
+};
+
+struct TaskResult {
+    std::string id, title;
+    Verdict verdict = Verdict::fail;
+    double points = 0, max = 0;
+    std::string hint, file;
+    int line = 0;
+};
+
+struct StepResult {
+    std::string id, title;
+    int number = 0;
+    Verdict verdict = Verdict::fail;
+    double points = 0, max = 0;
+    std::vector<TaskResult> tasks;
+    std::vector<Check> checks;
+};
+
+struct RubricResult {
+    std::string id, title;
+    double points = 0, max = 0;
+    bool extra = false;
+    bool graded = true;  ///< false: max is not part of the score
+    std::string note;
+};
+
+struct Results {
+    std::string created;  ///< UTC, "2026-01-31T12:00:00Z"
+    std::string submission_name, submission_from;
+    std::string cpu, os;
+    int cores = 0;
+    std::string raysteps, povray, compiler, real;
+    std::string sandbox_tier;
+    double cpu_s = 0;
+    int memory_mb = 0, processes = 0, output_mb = 0;
+    std::uint64_t seed = 0;
+    double seconds = 0;
+    bool complete = false;  ///< false: a partial result, rewritten when the next step is done
+    std::string infrastructure_error;  ///< not empty: this is no grade
+    double points = 0, max = 0;
+    std::vector<RubricResult> rubric;
+    std::vector<StepResult> steps;
+};
+
+std::string to_json(const Results& results);
+
+/// The same text in a file that appears whole or not at all.
+void write_results(const Results& results, const std::filesystem::path& file);
+
+/// Reads what write_results wrote (for `summary` and `export`). Throws InputError.
+Results read_results(const std::filesystem::path& file);
+
+}  // namespace rays::grader

@@ -1,0 +1,117 @@
+#include "grader/step_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "references/files.h"
+
+namespace rays::grader {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json parse(const fs::path& file) {
+    try {
+        return json::parse(read_file(file), nullptr, true, true);
+    } catch (const json::exception& e) {
+        throw InputError(fmt::format("{}: {}", file.string(), e.what()));
+    }
+}
+
+Task task_of(const json& j) {
+    Task task;
+    task.id = j.at("id");
+    task.title = j.at("title");
+    task.points = j.at("points");
+    task.rubric = j.value("rubric", "");
+    task.file = j.value("file", "");
+    task.hints = j.value("hints", std::vector<std::string>{});
+    return task;
+}
+
+SceneTask scene_of(const json& j) {
+    SceneTask scene;
+    scene.scene = j.at("scene");
+    scene.tasks = j.value("tasks", std::vector<std::string>{});
+    scene.points = j.at("points");
+    scene.shows = j.value("shows", "");
+    return scene;
+}
+
+Step step_of(const fs::path& folder) {
+    const json j = parse(folder / "step.json");
+    Step step;
+    step.number = j.at("number");
+    step.id = j.at("id");
+    step.title = j.at("title");
+    step.folder = folder;
+    for (const json& t : j.at("tasks")) step.tasks.push_back(task_of(t));
+    for (const json& s : j.at("scenes")) step.scenes.push_back(scene_of(s));
+    for (const SceneTask& s : step.scenes)
+        for (const std::string& t : s.tasks)
+            if (!step.find(t)) throw InputError(fmt::format("{}/step.json: scene {} names the unknown task {}", folder.string(), s.scene, t));
+    return step;
+}
+
+template <class F>
+auto reading(const fs::path& file, F f) {
+    try {
+        return f();
+    } catch (const json::exception& e) {
+        throw InputError(fmt::format("{}: {}", file.string(), e.what()));
+    }
+}
+
+}  // namespace
+
+const Task* Step::find(const std::string& task) const {
+    const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const Task& t) { return t.id == task; });
+    return found == tasks.end() ? nullptr : &*found;
+}
+
+double Step::points() const {
+    double sum = 0;
+    for (const Task& t : tasks) sum += t.points;
+    for (const SceneTask& s : scenes) sum += s.points;
+    return sum;
+}
+
+std::vector<Step> read_steps(const fs::path& steps_folder) {
+    std::vector<Step> steps;
+    if (!fs::is_directory(steps_folder)) throw InputError(steps_folder.string() + ": no such folder");
+    for (const auto& entry : fs::directory_iterator(steps_folder)) {
+        if (!fs::exists(entry.path() / "step.json")) continue;
+        steps.push_back(reading(entry.path() / "step.json", [&] { return step_of(entry.path()); }));
+    }
+    std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.number < b.number; });
+    return steps;
+}
+
+Rubric read_rubric(const fs::path& file) {
+    return reading(file, [&] {
+        const json j = parse(file);
+        Rubric rubric;
+        rubric.extra_limit = j.value("extra_limit", 0.0);
+        for (const json& r : j.at("rows")) {
+            RubricRow row{r.at("id"), r.at("title"), r.at("points"), r.value("extra", false), {}, r.value("note", "")};
+            row.counts = r.value("counts", std::vector<std::string>{row.id});
+            rubric.rows.push_back(row);
+        }
+        return rubric;
+    });
+}
+
+bool task_before(const std::string& a, const std::string& b) {
+    const auto order = [](const std::string& id) {
+        const auto dot = id.find('.');
+        return std::pair(std::atoi(id.c_str()), dot == std::string::npos ? 0 : std::atoi(id.c_str() + dot + 1));
+    };
+    return order(a) < order(b);
+}
+
+}  // namespace rays::grader

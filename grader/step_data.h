@@ -1,0 +1,58 @@
+// What the course says about its steps: steps/N_*/step.json and grader/rubric.json.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rays::grader {
+
+struct Task {
+    std::string id, title;
+    double points = 0;
+    std::string rubric;  ///< the row of rubric.json it counts for; may be empty
+    std::string file;    ///< within the step's folder
+    std::vector<std::string> hints;
+};
+
+/// A scene whose picture is held against its reference.
+struct SceneTask {
+    std::string scene;               ///< "1_ray_casting/one_sphere.pov"
+    std::vector<std::string> tasks;  ///< the first one's rubric row gets the points
+    double points = 0;
+    std::string shows;
+};
+
+struct Step {
+    int number = 0;
+    std::string id, title;
+    std::filesystem::path folder;
+    std::vector<Task> tasks;
+    std::vector<SceneTask> scenes;
+
+    const Task* find(const std::string& task) const;
+    double points() const;  ///< of all tasks and scenes
+};
+
+/// Every built step (a folder steps/N_name with a step.json), in order. Throws InputError naming file and field.
+std::vector<Step> read_steps(const std::filesystem::path& steps_folder);
+
+struct RubricRow {
+    std::string id, title;
+    double points = 0;
+    bool extra = false;
+    std::vector<std::string> counts;  ///< the `rubric` words of tasks that count for it; its own id when none is given
+    std::string note;                 ///< why it is not graded yet, when no task counts for it
+};
+
+struct Rubric {
+    std::vector<RubricRow> rows;
+    double extra_limit = 0;  ///< extra rows give at most this much together
+};
+
+Rubric read_rubric(const std::filesystem::path& file);
+
+/// Tasks in the order of their ids: "1.9" before "1.10".
+bool task_before(const std::string& a, const std::string& b);
+
+}  // namespace rays::grader
