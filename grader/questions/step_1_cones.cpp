@@ -74,7 +74,7 @@ void ask_closed(Dice& dice, Notebook& book, const Frustum& f) {
     const V outwards = along(dice, n);
     const Shot inside = aim(f.mantle(s, angle), outwards, 0.02L);
     book.ask(nearest_query(inside), "the mantle from inside", hits_with_normal(inside, n, false));
-    book.miss(aim(f.mantle(s, angle), -outwards, -3), "the solid lies behind the origin");
+    book.miss(aim(f.mantle(s, angle), outwards, -3), "the solid lies behind the origin");
     const V beside = f.base + 0.5L * f.height * f.axis + (std::max(f.base_radius, f.cap_radius) * 1.02L) * f.out(angle);
     book.miss(aim(beside, f.axis, 9), "parallel to the axis, outside");
     const Shot within = aim(f.base + 0.5L * std::min(f.base_radius, f.cap_radius) * f.out(angle), f.axis, 5);

@@ -47,7 +47,7 @@ std::vector<Question> planes(std::uint64_t seed) {
         book.ask(nearest_query(shot), "the normal is the plane's, whoever looks", hits_with_normal(shot, unit, false));
         book.miss(aim(point, d, -dice.between(1, 9)), "the plane lies behind the origin");
         book.ask(root_query(shot, shot.t * 1.01L), "the range begins behind the plane", misses_it());
-        book.miss(aim(point + unit, x, 3), "a parallel ray");
+        book.ask(root_query(aim(point + unit, x, 3), 0, 1e6L), "a parallel ray", misses_it());
         const V grazing = glm::normalize(x + 1e-3L * unit);
         book.root(aim(point, grazing, 100), "one part in a thousand from parallel");
     }

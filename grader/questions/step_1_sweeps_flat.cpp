@@ -87,9 +87,9 @@ void nearly_parallel_to_faces(Notebook& book, Dice& dice, L x) {
     }
 }
 
-/// An icosahedron.
+/// An icosahedron whose numbers are floats: POV-Ray keeps the corners of meshes so.
 std::string closed_mesh(std::vector<V>& corners, std::vector<std::array<int, 3>>& faces) {
-    const L g = rounded((1 + std::sqrt(5.0L)) / 2);
+    const L g = static_cast<float>((1 + std::sqrt(5.0L)) / 2);
     corners = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
                {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
     faces = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
