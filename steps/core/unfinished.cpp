@@ -26,7 +26,7 @@ void remember(const char* task, const char* file, unsigned line) {
 
 }  // namespace
 
-Unfinished unfinished(const char* task, const char* file, unsigned line) {
+void unfinished(const char* task, const char* file, unsigned line) {
     // A starter asks for millions of rays: only the first of a run of equal tasks on a thread takes the lock.
     thread_local std::vector<const char*> seen;
     if (std::find(seen.begin(), seen.end(), task) == seen.end()) {

@@ -9,8 +9,8 @@ namespace rays {
 
 /// Notes that the task was asked for and is not written yet. The function then returns an empty value, and the picture
 /// goes on: the renderer marks every pixel that needed it, and the program ends by naming each such task once, with
-/// file and line.
-void unfinished(const char* task, std::source_location where = std::source_location::current());
+/// file and line. (Clang 14 has no std::source_location; both compilers have these two.)
+void unfinished(const char* task, const char* file = __builtin_FILE(), unsigned line = __builtin_LINE());
 
 struct UnfinishedTask {
     std::string task;  ///< "1.3"
