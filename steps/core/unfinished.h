@@ -1,7 +1,6 @@
 // How a starter says "a student has yet to write this".
 #pragma once
 
-#include <source_location>
 #include <string>
 #include <vector>
 
