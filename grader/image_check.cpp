@@ -39,6 +39,7 @@ void fill(ImageResult& image, const Comparison& c, const Reference& truth, const
     image.max_error = c.max_error;
     image.rmse = c.rmse;
     image.tolerance = tolerance.relative + tolerance.absolute;
+    image.tolerance_absolute = tolerance.absolute;
     image.worst_x = c.worst_x;
     image.worst_y = c.worst_y;
     image.worst_student = picture.at(c.worst_x, c.worst_y);

@@ -50,7 +50,7 @@ Json json_of(const ImageResult& i) {
     if (!i.solution.empty()) j["solution"] = i.solution;
     j.update({{"width", i.width}, {"height", i.height}, {"pixels", i.pixels}, {"beyond_rounding", i.beyond_rounding},
               {"on_silhouettes", i.on_silhouettes}, {"max_error", number(i.max_error)}, {"rmse", number(i.rmse)},
-              {"tolerance", i.tolerance}});
+              {"tolerance", i.tolerance}, {"tolerance_absolute", i.tolerance_absolute}});
     j["worst"] = {{"x", i.worst_x}, {"y", i.worst_y}, {"student", color(i.worst_student)}, {"reference", color(i.worst_reference)}};
     if (i.trees) j["trees"] = {{"student", i.trees->student}, {"solution", i.trees->solution}, {"first_difference", i.trees->first_difference}};
     return j;

@@ -37,6 +37,7 @@ struct ImageResult {
     int width = 0, height = 0, pixels = 0, beyond_rounding = 0, on_silhouettes = 0;
     double max_error = 0, rmse = 0;
     double tolerance = 0;  ///< for a value of 1
+    double tolerance_absolute = 0;  ///< the part of it that does not grow with the value
     int worst_x = 0, worst_y = 0;
     Rgb worst_student{}, worst_reference{};
     std::optional<RayTrees> trees;
