@@ -119,8 +119,26 @@ void Interpreter::while_directive(Place opened) {
     block.opened = opened;
     block.again = scanner_.at();
     block.changes = changes_ - 1;
+    if (is_endless(opened)) fail(opened, "this loop never ends: its condition is a constant, and nothing in it is a #break");
     blocks_.push_back(block);
     turn_while(blocks_.size() - 1);
+}
+
+bool Interpreter::is_endless(Place opened) {
+    const Place condition = scanner_.place();
+    const bool is_constant = scanner_.next_is('(') && scanner_.scan(names_).is('(') && [this] {
+        const Token token = scanner_.scan(names_);
+        return (token.kind == Token::Kind::number && token.number != 0) || token.is(Word::true_) || token.is(Word::yes_) ||
+               token.is(Word::on_);
+    }() && scanner_.next_is(')');
+    bool endless = false;
+    if (is_constant) {
+        const char* body = scanner_.at();
+        skip_block(1, false, opened);
+        endless = std::string_view(body, static_cast<std::size_t>(scanner_.at() - body)).find("break") == std::string_view::npos;
+    }
+    scanner_.move_to(condition.source, condition.at);
+    return endless;
 }
 
 bool Interpreter::turn_while(std::size_t index) {
@@ -256,8 +274,7 @@ void Interpreter::include_directive(Place place) {
     if (!source) {
         fail(place, fmt::format("include file '{}' is neither in the scene's folder nor in POV-Ray's include folder", name));
     }
-    budget_.work += kWorkPerByte * static_cast<std::int64_t>(source->text.size()) / 4;
-    spend(1000);  // opening files in a loop is no way round the limits
+    spend(1000);
     files_.push_back({scanner_.place(), blocks_.size()});
     scopes_.emplace_back();
     scanner_.move_to(source, source->begin());

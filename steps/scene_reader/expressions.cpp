@@ -46,7 +46,7 @@ constexpr bool is_float_function(Word word) {
         case Word::floor_: case Word::int_: case Word::ln_: case Word::log_: case Word::max_: case Word::min_:
         case Word::mod_: case Word::no_: case Word::now_: case Word::off_: case Word::on_: case Word::pi_:
         case Word::pow_: case Word::radians_: case Word::rand_: case Word::seed_: case Word::select_: case Word::sin_:
-        case Word::sinh_: case Word::sqr_: case Word::sqrt_: case Word::strcmp_: case Word::strlen_: case Word::tan_:
+        case Word::sinh_: case Word::sqrt_: case Word::strcmp_: case Word::strlen_: case Word::tan_:
         case Word::tanh_: case Word::true_: case Word::val_: case Word::vdot_: case Word::version_:
         case Word::vlength_: case Word::yes_: return true;
         default: return false;

@@ -12,19 +12,20 @@ Placement chain(Placement own, const Placement& outer) {
     return own;
 }
 
+}  // namespace
+
 /// Memory that is reserved and never touched costs nothing; growing by doubling would hold three copies of the last
 /// third. From a million elements on the largest number allowed is reserved at once.
 template <class T>
-std::uint32_t append(std::vector<T>& list, T item) {
+std::uint32_t Flattener::append(std::vector<T>& list, T item) {
+    in_.hold(sizeof(T));
     if (list.size() == 1'000'000 && list.capacity() < kMostObjects) list.reserve(kMostObjects);
     list.push_back(std::move(item));
     return static_cast<std::uint32_t>(list.size() - 1);
 }
 
-}  // namespace
-
 void Flattener::add(const ObjectDraft& object, const Shared<SurfaceDraft>& default_surface) {
-    Worn worn{default_surface, {}, kNone};
+    Worn worn{default_surface, {}, kNone, true};
     Inherited top;
     top.worn = &worn;
     add(object, top);
@@ -32,13 +33,14 @@ void Flattener::add(const ObjectDraft& object, const Shared<SurfaceDraft>& defau
 
 void Flattener::add(const ObjectDraft& draft, const Inherited& inherited) {
     if (!draft.is_union()) return add_leaf(draft, inherited);
+    in_.spend(1);
     const Interpreter::Nesting nesting(in_);
     Worn worn;
     Filled filled;
     Inherited mine = inherited;
     mine.placement = chain(draft.placement, inherited.placement);
     if (draft.surface) {
-        worn = {draft.surface, chain(draft.surface_placement, inherited.placement), kNone};
+        worn = {draft.surface, chain(draft.surface_placement, inherited.placement), kNone, false};
         mine.worn = &worn;
     }
     if (draft.interior) {
@@ -68,9 +70,11 @@ void Flattener::add_leaf(const ObjectDraft& draft, const Inherited& inherited) {
     object.inverse = draft.inverse;
     object.no_shadow = draft.no_shadow || inherited.no_shadow;
     object.hollow = draft.hollow_said ? draft.hollow : inherited.hollow;
-    add_shape(draft, chain(draft.placement, inherited.placement), object);
+    const Placement placement = chain(draft.placement, inherited.placement);
+    if (placement && !is_finite(*placement)) in_.fail(draft.place, "this object's transforms multiply beyond all numbers");
+    add_shape(draft, placement, object);
     if (draft.surface) {
-        Worn own{draft.surface, chain(draft.surface_placement, inherited.placement), kNone};
+        Worn own{draft.surface, chain(draft.surface_placement, inherited.placement), kNone, false};
         object.material = material(own);
     } else {
         object.material = material(*inherited.worn);
@@ -83,8 +87,7 @@ void Flattener::add_leaf(const ObjectDraft& draft, const Inherited& inherited) {
     }
     const ObjectPhotons* photons = draft.photons ? &*draft.photons : inherited.photons;
     if (photons) {
-        scene_.photons.push_back(*photons);
-        object.photons = static_cast<std::uint32_t>(scene_.photons.size() - 1);
+        object.photons = append(scene_.photons, *photons);
     }
     if (!draft.clips.empty() || !inherited.clips.empty()) {
         Inherited mine = inherited;
@@ -106,13 +109,12 @@ std::uint32_t Flattener::clip_list(const Inherited& inherited) {
         add_shape(draft, chain(draft.placement, inherited.clip_placements[i]), clip);
         list.push_back(clip);
     }
-    scene_.clips.push_back(std::move(list));
-    return static_cast<std::uint32_t>(scene_.clips.size() - 1);
+    in_.hold(list.size() * sizeof(Object));
+    return append(scene_.clips, std::move(list));
 }
 
 std::uint32_t Flattener::transform(const Affine& map) {
-    scene_.transforms.push_back(to_transform(map));
-    return static_cast<std::uint32_t>(scene_.transforms.size() - 1);
+    return append(scene_.transforms, to_transform(map));
 }
 
 namespace {
@@ -173,7 +175,7 @@ Cone plain(const ConeDraft& d) {
 }  // namespace
 
 void Flattener::add_shape(const ObjectDraft& draft, const Placement& placement, Object& object) {
-    const auto put = [&object](ShapeKind kind, auto& list, auto item) {
+    const auto put = [this, &object](ShapeKind kind, auto& list, auto item) {
         object.kind = kind;
         object.shape = append(list, std::move(item));
     };
@@ -193,6 +195,8 @@ void Flattener::add_shape(const ObjectDraft& draft, const Placement& placement, 
     } else if (const auto* plane = std::get_if<PlaneDraft>(&draft.shape)) {
         put(ShapeKind::plane, scene_.planes, placed(*plane, placement));
     } else if (const auto* polygon = std::get_if<Shared<PolygonDraft>>(&draft.shape)) {
+        in_.hold((*polygon)->points.size() * sizeof(Vec3) + 64);  // 64: what the allocator adds
+        in_.spend(static_cast<std::int64_t>((*polygon)->points.size() / 8));
         put(ShapeKind::polygon, scene_.polygons, placed(**polygon, placement));
     } else if (const auto* mesh = std::get_if<Shared<MeshDraft>>(&draft.shape)) {
         add_mesh(*mesh, placement, object);
@@ -218,7 +222,7 @@ void Flattener::add_light(const LightDraft& draft, const Placement& placement) {
     light.point_at = point(draft.point_at, placement);
     light.axis_u = Vec3(placement ? placement->vector(draft.axis_u) : draft.axis_u);
     light.axis_v = Vec3(placement ? placement->vector(draft.axis_v) : draft.axis_v);
-    scene_.lights.push_back(light);
+    append(scene_.lights, light);
 }
 
 std::uint32_t Flattener::material(Worn& worn) {
@@ -226,7 +230,7 @@ std::uint32_t Flattener::material(Worn& worn) {
     const bool has_pattern = worn.surface->pigment.checker_other.has_value();
     if (has_pattern) return worn.material = material(*worn.surface, worn.placement);
     // A draft that nobody else holds will not come again: it need not be remembered.
-    if (worn.surface.use_count() <= 2) return worn.material = material(*worn.surface, {});
+    if (!worn.is_default && worn.surface.use_count() <= 2) return worn.material = material(*worn.surface, {});
     const auto [known, is_new] = plain_.try_emplace(worn.surface, kNone);
     if (is_new) known->second = material(*worn.surface, {});
     return worn.material = known->second;
@@ -241,16 +245,14 @@ std::uint32_t Flattener::material(const SurfaceDraft& surface, const Placement& 
         if (whole) material.pigment.transform = transform(*whole);
     }
     material.finish = surface.finish;
-    scene_.materials.push_back(material);
-    return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+    return append(scene_.materials, material);
 }
 
 std::uint32_t Flattener::interior(Filled& filled) {
     if (filled.index != kNone) return filled.index;
     Interior interior = filled.interior->interior;
     for (const MediaDraft& draft : filled.interior->media) interior.media.push_back(media(draft, filled.placement));
-    scene_.interiors.push_back(std::move(interior));
-    return filled.index = static_cast<std::uint32_t>(scene_.interiors.size() - 1);
+    return filled.index = append(scene_.interiors, std::move(interior));
 }
 
 Media Flattener::media(const MediaDraft& draft, const Placement& placement) {
@@ -259,6 +261,7 @@ Media Flattener::media(const MediaDraft& draft, const Placement& placement) {
         Media::Density density;
         density.color = from.color;
         if (const auto* grid = std::get_if<Shared<Media::GridDensity>>(&from.form)) {
+            in_.hold((*grid)->values.size() * sizeof(float));
             density.form = **grid;
         } else if (std::holds_alternative<Media::SphericalDensity>(from.form)) {
             density.form = Media::SphericalDensity{};
@@ -288,6 +291,8 @@ void Flattener::add_mesh(const Shared<MeshDraft>& draft, const Placement& placem
             return;
         }
     }
+    in_.hold((draft->positions.size() + draft->normals.size()) * sizeof(Vec3) + draft->faces.size() * sizeof(Mesh::Face));
+    in_.spend(static_cast<std::int64_t>(draft->faces.size() / 8));
     Mesh mesh;
     mesh.positions.reserve(draft->positions.size());
     for (const V3& p : draft->positions) mesh.positions.emplace_back(p);
@@ -309,6 +314,7 @@ void Flattener::add_mesh(const Shared<MeshDraft>& draft, const Placement& placem
 }
 
 void Flattener::finish() {
+    if (choices_.varying) return;
     for (const auto& [draft, known] : meshes_) {
         if (known.users == 1) lone_meshes_.push_back(known.user);
     }

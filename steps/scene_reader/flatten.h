@@ -16,6 +16,7 @@ struct FoldChoices {
     std::vector<bool> may_fold;
     std::size_t next = 0;
     bool changed = false;
+    bool varying = false;  ///< meshes keep their placements: twelve numbers to tabulate, not thousands
 
     /// `possible`: the numbers of this reading would allow it.
     bool choose(bool possible);
@@ -36,6 +37,7 @@ private:
         Shared<SurfaceDraft> surface;
         Placement placement;
         std::uint32_t material = kNone;  ///< once it is in the scene
+        bool is_default = false;
     };
     struct Filled {
         Shared<InteriorDraft> interior;
@@ -55,6 +57,8 @@ private:
 
     void add(const ObjectDraft& draft, const Inherited& inherited);
     void add_leaf(const ObjectDraft& draft, const Inherited& inherited);
+    template <class T>
+    std::uint32_t append(std::vector<T>& list, T item);
     void add_light(const LightDraft& draft, const Placement& placement);
     /// Kind, shape and transform of an object.
     void add_shape(const ObjectDraft& draft, const Placement& placement, Object& object);

@@ -160,7 +160,7 @@ bool Interpreter::float_function(Word word, const Place& place, double& result) 
         case Word::select_: result = select(); return true;
         case Word::sin_: result = std::sin(argument()); return true;
         case Word::sinh_: result = std::sinh(argument()); return true;
-        case Word::sqr_:
+       
             a = argument();
             result = a * a;
             return true;

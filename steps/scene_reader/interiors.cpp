@@ -57,6 +57,7 @@ Shared<Media::GridDensity> read_df3(Interpreter& in) {
         in.fail(name, fmt::format("this density file has {} bytes for {} cells; 1, 2 or 4 a cell are known", bytes.size() - 6, cells));
     }
     in.spend(static_cast<std::int64_t>(cells));
+    in.hold(cells * sizeof(float));
     grid->values.reserve(cells);
     const double largest = width == 1 ? 255.0 : width == 2 ? 65535.0 : 4294967295.0;
     for (std::size_t i = 6; i < bytes.size(); i += width) {
@@ -163,6 +164,8 @@ MediaDraft read_media(Interpreter& in) {
     MediaDraft draft;
     draft.media.samples_min = draft.media.samples_max = 10;  // POV-Ray 3.5 and later, method 3
     if (const auto named = in.accept_named<MediaDraft>()) draft = *named;
+    in.spend(static_cast<std::int64_t>(10 * draft.densities.size()));
+    in.hold(draft.densities.size() * sizeof(DensityDraft));
     while (in.peek().kind == Token::Kind::word) {
         if (in.accept(Word::absorption_)) {
             draft.media.absorption = in.rgb();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 
 namespace rays::sdl {
@@ -9,10 +11,10 @@ namespace rays::sdl {
 Interpreter::Interpreter(Sources& sources, const Source& scene, const ReadOptions& options, Budget& budget)
     : sources_(sources), options_(options), budget_(budget), scopes_(1) {
     scanner_.move_to(&scene, scene.begin());
-    budget_.work += kWorkPerByte * static_cast<std::int64_t>(scene.text.size());
+    if (budget_.can_grow) budget_.work += kWorkPerByte * static_cast<std::int64_t>(scene.text.size());
     predeclare("Raysteps", 1);
     time_.slot = predeclare("Time", 0);
-    wavelength_.slot = predeclare("Wavelength", 0);
+    wavelength_.slot = predeclare("Wavelength", 380);  // the first of the table (tabulate.cpp)
     predeclare("frame_number", options.frame_number);
     predeclare("image_width", options.raster.width);
     predeclare("image_height", options.raster.height);
@@ -136,6 +138,18 @@ void Interpreter::unexpected(std::string_view wanted) {
     fail(token, fmt::format("found {}; expected {}", describe(token), wanted));
 }
 
+namespace {
+
+/// A scene's text may hold anything; messages hold nothing that moves a terminal's cursor.
+std::string printable(std::string text) {
+    for (char& c : text) {
+        if ((static_cast<unsigned char>(c) < 32 && c != '\n') || c == 127) c = '?';
+    }
+    return text;
+}
+
+}  // namespace
+
 void Interpreter::fail(const Place& place, std::string_view what) const {
     std::string message = fmt::format("{}: {}", to_string(place), what);
     int shown = 0;
@@ -144,21 +158,21 @@ void Interpreter::fail(const Place& place, std::string_view what) const {
         message += fmt::format("\n  in macro {}, called at {}", block->macro->name, to_string(block->opened));
         ++shown;
     }
-    throw InputError(message);
+    throw InputError(printable(std::move(message)));
 }
 
 void Interpreter::note(const Place& place, std::string_view what) {
-    if (notes_.size() > kMostNotes) return;
+    if (notes_.size() > kMostNotes || std::find(noted_.begin(), noted_.end(), place.at) != noted_.end()) return;
+    noted_.push_back(place.at);
     if (notes_.size() == kMostNotes) {
         notes_.emplace_back("further notes are left out");
         return;
     }
-    std::string text = fmt::format("{}: {}", to_string(place), what);
-    if (notes_.empty() || notes_.back() != text) notes_.push_back(std::move(text));
+    notes_.push_back(printable(fmt::format("{}: {}", to_string(place), what)));
 }
 
 void Interpreter::object_made(const Place& place) {
-    budget_.work += kWorkPerObject;
+    if (budget_.can_grow) budget_.work += kWorkPerObject;
     if (++budget_.objects > kMostObjects) {
         fail(place, fmt::format("the scene has more than {} objects; use a mesh", kMostObjects));
     }
@@ -172,6 +186,10 @@ void Interpreter::too_deep() {
 void Interpreter::out_of_work() {
     budget_.work = 0;
     fail(scanner_.place(), "reading this scene takes too long; does a loop or a macro go on for ever?");
+}
+
+void Interpreter::out_of_memory() {
+    fail(scanner_.place(), "this scene needs too much memory; use a mesh, share textures, or end the loop that fills it");
 }
 
 }  // namespace rays::sdl

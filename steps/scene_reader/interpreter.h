@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/material.h"
+#include "core/shapes.h"
 #include "scene_reader/limits.h"
 #include "scene_reader/scene_reader.h"
 #include "scene_reader/token.h"
@@ -21,6 +22,8 @@ namespace rays::sdl {
 /// What several readings of one scene share: the text, and how much work is left.
 struct Budget {
     std::int64_t work = kIdleWork;
+    bool can_grow = true;  ///< the first reading: text and objects buy more work
+    std::int64_t memory = kMostMemory;
     std::size_t objects = 0;
 };
 
@@ -101,9 +104,19 @@ public:
 
     /// Called for every object made: it buys work, within limits.
     void object_made(const Place& place);
+    /// The same for a face of a mesh, which costs less.
+    void face_made() {
+        if (budget_.can_grow) budget_.work += kWorkPerObject;
+        hold(2 * sizeof(Mesh::Face));
+    }
     /// A cost that is not a token.
     void spend(std::int64_t work) {
         if ((budget_.work -= work) < 0) out_of_work();
+    }
+
+    /// Memory that stays until the scene is read.
+    void hold(std::size_t bytes) {
+        if ((budget_.memory -= static_cast<std::int64_t>(bytes)) < 0) out_of_memory();
     }
 
     Sources& sources() { return sources_; }
@@ -120,6 +133,7 @@ private:
     void subscripts(Token& token);
     [[noreturn]] void too_deep();
     [[noreturn]] void out_of_work();
+    [[noreturn]] void out_of_memory();
 
     // directives (directives.cpp)
     void directive();
@@ -139,6 +153,7 @@ private:
     bool is_declared();
     bool case_matches(Word word, double value);
     bool turn_while(std::size_t block);
+    bool is_endless(Place opened);
 
     // variables (variables.cpp)
     struct Binding {
@@ -240,6 +255,7 @@ private:
     std::vector<std::uint32_t> random_;              ///< rand()'s streams
     double version_ = 3.7;
     std::vector<std::string> notes_;
+    std::vector<const char*> noted_;  ///< where; a loop passes the same place often
     struct Watched {
         const Value* slot = nullptr;
         bool used = false;

@@ -92,7 +92,7 @@ private:
         Mesh::Face face;
         if (in_.accept(Word::texture_)) face.material = read_texture_name();
         in_.expect('}', "a triangle");
-        in_.spend(1);
+        in_.face_made();
         if (mesh_->faces.size() >= kMostElements) in_.fail(place, "this mesh has too many triangles");
         if (is_degenerate(corner[0], corner[1], corner[2])) {
             return in_.note(place, "a degenerate triangle of a mesh is left out, as POV-Ray does");
@@ -192,6 +192,7 @@ private:
         for (std::size_t i = 0; i < size; ++i) {
             in_.comma();
             list.push_back(make(in_.vector()));
+            in_.hold(2 * sizeof(V3));
         }
         in_.comma();
         in_.expect('}', fmt::format("a list of {} vectors", size));
@@ -246,6 +247,7 @@ private:
             face.position = read_indices(mesh_->positions.size(), "vertices");
             in_.comma();
             if (in_.number_follows()) face.material = read_texture_index();
+            in_.face_made();
             mesh_->faces.push_back(face);
         }
         in_.comma();

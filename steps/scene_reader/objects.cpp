@@ -18,14 +18,23 @@ namespace {
 /// `union { ... }`: its children, before its modifiers.
 void read_children(Context& context, ObjectDraft& object) {
     auto children = std::make_shared<std::vector<ObjectDraft>>();
-    while (auto child = read_object(context)) children->push_back(std::move(*child));
+    while (auto child = read_object(context)) {
+        context.in.hold(sizeof(ObjectDraft) * (1 + child->clips.size()));
+        children->push_back(std::move(*child));
+    }
     object.shape = UnionDraft{std::move(children)};
+}
+
+/// Clips and bounds are copied with an object; its children are shared.
+void pay_for_copy(Interpreter& in, const ObjectDraft& object) {
+    in.spend(static_cast<std::int64_t>(8 * (object.clips.size() + object.bounds.size())));
 }
 
 /// After the brace of `sphere {` and its like, a name may stand for the whole object.
 bool read_named(Context& context, ObjectDraft& object) {
     const auto named = context.in.accept_named<ObjectDraft>();
     if (!named) return false;
+    pay_for_copy(context.in, *named);
     object = *named;
     return true;
 }
@@ -55,6 +64,7 @@ std::optional<ObjectDraft> read_object(Context& context) {
     const Token word = in.peek();
     if (const auto named = in.accept_named<ObjectDraft>()) {
         in.object_made(word.place);
+        pay_for_copy(in, *named);
         return *named;
     }
     const bool begins = word.kind == Token::Kind::word && (word.word == Word::object_ || word.word == Word::union_ ||
@@ -120,10 +130,17 @@ void read_clips(Context& context, ObjectDraft& object) {
     context.in.expect('{', "clipped_by");
     if (context.in.accept(Word::bounded_by_)) {
         object.clips = object.bounds;
+        for (const ObjectDraft& clip : object.clips) {
+            if (clip.is_patch() || clip.is_union() || !clip.clips.empty()) {
+                context.in.fail(place, "these bounds cannot clip; clip by a box, a sphere, a plane, ...");
+            }
+        }
     } else {
         for (ObjectDraft& clip : read_clip_objects(context)) {
             if (clip.is_patch() || clip.is_light()) context.in.fail(place, "a clip needs an inside: a box, a sphere, a plane, ...");
+            if (!clip.clips.empty()) context.in.fail(place, "a clipped object cannot clip; list both clips instead");
             if (clip.is_union()) context.in.fail(place, "a union cannot clip; clip by a box, a sphere, a plane, ...");
+            clip.bounds.clear();
             object.clips.push_back(std::move(clip));
         }
     }
@@ -133,7 +150,10 @@ void read_clips(Context& context, ObjectDraft& object) {
 void read_bounds(Context& context, ObjectDraft& object) {
     context.in.note(context.in.peek().place, "bounded_by is read and has no effect: Raysteps finds bounds itself");
     context.in.expect('{', "bounded_by");
-    if (!context.in.accept(Word::clipped_by_)) object.bounds = read_clip_objects(context);
+    if (!context.in.accept(Word::clipped_by_)) {
+        object.bounds = read_clip_objects(context);
+        for (ObjectDraft& bound : object.bounds) bound.bounds.clear();
+    }
     context.in.expect('}', "bounded_by");
 }
 

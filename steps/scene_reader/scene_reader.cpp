@@ -13,6 +13,7 @@ namespace sdl {
 Reading read_once(Sources& sources, const Source& text, const ReadOptions& options, FoldChoices& choices, Budget& budget) {
     choices.next = 0;
     budget.objects = 0;
+    budget.memory = kMostMemory;
     Reading reading;
     Interpreter in(sources, text, options, budget);
     Flattener out(reading.scene, in, choices);
@@ -21,6 +22,7 @@ Reading read_once(Sources& sources, const Source& text, const ReadOptions& optio
     in.read_default = [&context] { read_default(context); };
     read_frame(context);
     out.finish();
+    require_finite(reading.scene, text);
     reading.scene.name = text.name;
     reading.scene.notes = std::move(in.notes());
     reading.used_time = in.used_time();

@@ -184,6 +184,7 @@ void read_polygon(Interpreter& in, ObjectDraft& object) {
     for (std::size_t i = 0; i < size; ++i) {
         in.comma();
         const V3 point = in.vector();
+        in.hold(2 * sizeof(V3));
         if (!open) {
             first = point;
             open = true;

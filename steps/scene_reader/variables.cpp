@@ -95,6 +95,16 @@ bool same_kind(const Value& a, const Value& b) {
     return !numbers || numbers->count == b.as<Numbers>()->count;
 }
 
+/// Elements in all, strings counted by their length.
+std::size_t cost_of_copy(const Value& value) {
+    if (const auto* text = value.as<std::string>()) return text->size() / sizeof(Value);
+    const auto* array = value.as<std::shared_ptr<Array>>();
+    if (!array) return 0;
+    std::size_t cost = (*array)->elements.size();
+    for (const Value& element : (*array)->elements) cost += cost_of_copy(element);
+    return cost;
+}
+
 /// Assignment copies: arrays with all their elements.
 Value copy_of(const Value& value) {
     Value copy = value;
@@ -143,15 +153,16 @@ Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool n
         if (target) {
             result.is = Reference{target};
         } else {
-            spend(known->as<std::shared_ptr<Array>>()
-                      ? static_cast<std::int64_t>((*known->as<std::shared_ptr<Array>>())->elements.size())
-                      : 1);
+            const std::size_t cost = cost_of_copy(*known);
+            spend(static_cast<std::int64_t>(cost));
+            hold(cost * sizeof(Value));
             result = copy_of(*known);
         }
     } else if (first.kind == Token::Kind::name) {
         fail(first, fmt::format("'{}' is neither a word of the language nor declared; declare it first", first.text));
     } else if (string_follows()) {
         result.is = string();
+        hold(std::get<std::string>(result.is).size());
     } else if (!vector_follows() && color_follows()) {
         hold_ = true;
         result.is = rounded_color(color());
@@ -210,6 +221,7 @@ Value Interpreter::array_literal() {
     }
     if (array->sizes.empty()) unexpected("'[' and the size of the array");
     spend(static_cast<std::int64_t>(total));
+    hold(static_cast<std::size_t>(total) * sizeof(Value));
     array->elements.resize(static_cast<std::size_t>(total));
     if (peek().is('{')) array_elements(*array, 0, 0);
     return {array};

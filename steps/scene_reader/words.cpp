@@ -43,7 +43,7 @@ constexpr std::string_view kOtherWords[] = {
     "pwr", "quadratic_spline", "quartic", "quaternion", "quilted", "radial", "radiosity", "rainbow", "ramp_wave",
     "read", "reciprocal", "recursion_limit", "repeat", "ripples", "save_file", "sblue", "scallop_wave", "sgreen",
     "sine_wave", "sint16be", "sint16le", "sint32be", "sint32le", "sint8", "size", "sky_sphere", "slice", "slope",
-    "slope_map", "smooth", "solid", "sor", "sphere_sweep", "spiral1", "spiral2", "spline", "spotted", "square",
+    "slope_map", "smooth", "solid", "sor", "sphere_sweep", "spiral1", "spiral2", "spline", "spotted", "sqr", "square",
     "sred", "steps", "strength", "subsurface", "superellipsoid", "sys", "text", "texture_map", "tga", "thickness",
     "threshold", "tiff", "tile2", "tiles", "tiling", "tolerance", "toroidal", "trace", "translucency",
     "triangle_wave", "triangular", "ttf", "turb_depth", "turbulence", "uint16be", "uint16le", "uint8",

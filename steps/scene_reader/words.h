@@ -33,7 +33,7 @@ namespace rays::sdl {
     X(point_at) X(polygon) X(pow) X(prod) X(quadric) X(quick_color) X(radians) X(radius) X(rand) X(range)  \
     X(ratio) X(red) X(reflection) X(reflection_exponent) X(refraction) X(render) X(rgb) X(rgbf) X(rgbft) X(rgbt)      \
     X(right) X(rotate) X(roughness) X(samples) X(scale) X(scattering) X(seed) X(select) X(shadowless) X(sin) X(sinh)  \
-    X(sky) X(smooth_triangle) X(spacing) X(specular) X(sphere) X(spherical) X(split_union) X(spotlight) X(sqr)        \
+    X(sky) X(smooth_triangle) X(spacing) X(specular) X(sphere) X(spherical) X(split_union) X(spotlight)        \
     X(sqrt) X(srgb) X(srgbf) X(srgbft) X(srgbt) X(statistics) X(str) X(strcmp) X(strlen) X(strlwr) X(strupr)          \
     X(sturm) X(substr) X(sum) X(switch) X(t) X(tan) X(tanh) X(target) X(texture) X(texture_list) X(tightness)         \
     X(torus) X(transform) X(translate) X(transmit) X(triangle) X(true) X(type) X(u) X(u_steps) X(undef) X(union)      \
