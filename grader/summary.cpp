@@ -11,7 +11,7 @@ std::string points(double p) { return fmt::format("{:.4g}", p); }
 
 std::string check_lines(const Check& c, const std::filesystem::path& out) {
     std::string text = fmt::format("    {} [{}{}] {}: {}\n", plain(c.id), c.kind, c.mode == "isolated" ? "" : ", all mine", to_string(c.verdict), plain(c.message, 400));
-    for (const Diagnosis& d : c.diagnosis) text += fmt::format("        {}{}: {}\n", d.kind, d.mutant.empty() ? "" : " " + plain(d.mutant), plain(d.text, 400));
+    for (const Diagnosis& d : c.diagnosis) text += fmt::format("        {}{}: {}\n", d.kind, d.mutant.empty() ? std::string() : fmt::format(" {}", plain(d.mutant)), plain(d.text, 400));
     if (c.image && !c.image->student.empty()) {
         text += fmt::format("        pictures: {}", (out / c.image->student).string());
         if (!c.image->reference.empty()) text += fmt::format("  {}", (out / c.image->reference).lexically_normal().string());
@@ -22,7 +22,7 @@ std::string check_lines(const Check& c, const std::filesystem::path& out) {
 
 // A build error is the same for all checks of a step: told once.
 std::string wrong_checks(const StepResult& step, const std::filesystem::path& out) {
-    if (step.verdict == Verdict::build_error) return step.checks.empty() ? "" : "    " + plain_lines(step.checks.front().message) + "\n";
+    if (step.verdict == Verdict::build_error) return step.checks.empty() ? std::string() : fmt::format("    {}\n", plain_lines(step.checks.front().message));
     std::string text;
     int not_started = 0;
     for (const Check& c : step.checks) {
