@@ -53,6 +53,11 @@ void drop_lto(std::vector<std::string>& command) {
     std::erase_if(command, [](const std::string& w) { return w.starts_with("-flto") || w == "-ffat-lto-objects" || w == "-fno-fat-lto-objects"; });
 }
 
+std::string value_of(const std::vector<std::string>& command, const std::string& option) {
+    const auto at = std::find(command.begin(), command.end(), option);
+    return at != command.end() && at + 1 != command.end() ? *(at + 1) : std::string();
+}
+
 void drop_with_value(std::vector<std::string>& command, const std::string& option) {
     const auto at = std::find(command.begin(), command.end(), option);
     if (at != command.end() && at + 1 != command.end()) command.erase(at, at + 2);
@@ -81,13 +86,12 @@ void Builder::read_compile_commands() {
     try {
         static const std::regex solution_side(R"((?:^|/)solution_([0-9]+)\.dir/)");
         for (const auto& entry : nlohmann::json::parse(read_file(file))) {
-            const std::string output = entry.value("output", "");
-            std::smatch found;
-            if (!std::regex_search(output, found, solution_side)) continue;
             Unit unit;
-            unit.step = std::stoi(found[1]);
-            unit.solution_object = output;
             unit.compile = words(entry.at("command"));
+            unit.solution_object = value_of(unit.compile, "-o");
+            std::smatch found;
+            if (!std::regex_search(unit.solution_object, found, solution_side)) continue;
+            unit.step = std::stoi(found[1]);
             drop_lto(unit.compile);
             drop_with_value(unit.compile, "-o");
             drop_with_value(unit.compile, "-c");

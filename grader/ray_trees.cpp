@@ -40,7 +40,8 @@ V vector_of(const json& j) {
 std::optional<std::vector<Query>> parse(const std::string& text) {
     std::vector<Query> queries;
     try {
-        for (const json& q : json::parse(text).at("queries")) {
+        const json tree = json::parse(text);
+        for (const json& q : tree.at("queries")) {
             Query query;
             query.kind = plain(q.at("kind").get<std::string>(), 20);
             query.depth = q.at("depth");

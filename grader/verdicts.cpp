@@ -21,7 +21,8 @@ std::optional<Finding> against_run(const Ended& e) {
 std::vector<UnfinishedPlace> unfinished_places(const std::string& stats) {
     std::vector<UnfinishedPlace> places;
     try {
-        for (const auto& j : nlohmann::json::parse(stats).at("unfinished")) {
+        const auto json = nlohmann::json::parse(stats);
+        for (const auto& j : json.at("unfinished")) {
             if (places.size() == 100) break;
             places.push_back({plain(j.at("task").get<std::string>(), 8), plain(j.at("file").get<std::string>()), j.at("line").get<int>()});
         }
