@@ -37,18 +37,44 @@ Bytes outlines(const Exr& reference) {
     });
 }
 
-/// Pixels beyond the tolerance that still lie between the least and the greatest value of the reference there.
-Bytes on_silhouettes(const Picture& student, const Exr& reference, double tolerance) {
-    return bit_map(student.pixels(), [&](std::size_t i) {
-        if (reference.low.rgb.empty() || reference.high.rgb.empty()) return false;
-        bool beyond = false, between = true;
-        for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
-            const double s = student.rgb[c];
-            beyond |= !(std::abs(s - reference.frame.rgb[c]) <= tolerance);
-            between &= s >= reference.low.rgb[c] - tolerance && s <= reference.high.rgb[c] + tolerance;
-        }
-        return beyond && between;
+/// Pixels that differ by more than allowed. Marked from the full floats, for the page has them rounded.
+bool is_beyond(const Picture& student, const Exr& reference, const Allowance& allowance, std::size_t pixel) {
+    for (std::size_t c = 3 * pixel; c < 3 * pixel + 3; ++c) {
+        const float truth = reference.frame.rgb[c];
+        if (!(std::abs(double{student.rgb[c]} - truth) <= allowance.of(truth))) return true;
+    }
+    return false;
+}
+
+/// Do they still lie between the least and the greatest value of the reference there?
+bool is_explained(const Picture& student, const Exr& reference, const Allowance& allowance, std::size_t pixel) {
+    if (reference.low.rgb.empty() || reference.high.rgb.empty()) return false;
+    for (std::size_t c = 3 * pixel; c < 3 * pixel + 3; ++c) {
+        const float low = reference.low.rgb[c], high = reference.high.rgb[c];
+        if (!(student.rgb[c] >= low - allowance.of(low) && student.rgb[c] <= high + allowance.of(high))) return false;
+    }
+    return true;
+}
+
+Bytes marks_of(const Picture& student, const Exr& reference, const Allowance& allowance) {
+    const auto beyond = [&](std::size_t i) { return is_beyond(student, reference, allowance, i); };
+    Bytes marks = bit_map(student.pixels(), beyond);
+    const Bytes silhouettes = bit_map(student.pixels(), [&](std::size_t i) {
+        return beyond(i) && is_explained(student, reference, allowance, i);
     });
+    marks.insert(marks.end(), silhouettes.begin(), silhouettes.end());
+    return marks;
+}
+
+double number_of(const json& object, const char* key, double otherwise) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_number() ? found->get<double>() : otherwise;
+}
+
+/// results.json says what is allowed for a value of 1, and how much of that for a value of 0.
+Allowance allowance_of(const json& image) {
+    const double whole = number_of(image, "tolerance", 0), absolute = number_of(image, "tolerance_absolute", whole);
+    return {absolute, whole - absolute};
 }
 
 std::string fingerprint(const Picture& picture) {
@@ -62,6 +88,8 @@ std::string text_of(const json& object, const char* key) {
 }
 
 }  // namespace
+
+double Allowance::of(float reference) const { return absolute + relative * std::abs(double{reference}); }
 
 json PictureStore::keep(const Picture& picture, const PixelCode& code, const Bytes& marks, int mantissa,
                         std::size_t room) {
@@ -88,14 +116,14 @@ json PictureStore::embed_reference(const std::filesystem::path& file, std::size_
 }
 
 json PictureStore::embed_student(const Picture& student, const Exr* reference, const json& reference_blob,
-                                 double tolerance, std::size_t room) {
+                                 const Allowance& allowance, std::size_t room) {
     const std::string base_id = reference ? reference_blob["id"].get<std::string>() : "";
-    const std::string key = fmt::format("{} {} {}", fingerprint(student), base_id, tolerance);
+    const std::string key = fmt::format("{} {} {} {}", fingerprint(student), base_id, allowance.absolute, allowance.relative);
     const auto known = students_.find(key);
     if (known != students_.end()) return known->second;
     const int base_mantissa = reference ? reference_blob["mantissa"].get<int>() : 0;
     const PixelCode code = encode(student, mantissa_, reference ? &reference->frame : nullptr, base_mantissa);
-    const Bytes marks = reference ? on_silhouettes(student, *reference, tolerance) : Bytes();
+    const Bytes marks = reference ? marks_of(student, *reference, allowance) : Bytes();
     json blob = keep(student, code, marks, mantissa_, room);
     if (code.base) blob["base"] = base_id, blob["base_mantissa"] = base_mantissa;
     students_[key] = blob;
@@ -123,10 +151,8 @@ void PictureStore::embed(json& image, std::size_t room) {
         const Exr student = read_picture(folder_ / text_of(image, "student"));
         const bool same_size = reference && student.frame.width == reference->frame.width &&
                                student.frame.height == reference->frame.height;
-        const auto tolerance = image.find("tolerance");
-        embedded["student"] =
-            embed_student(student.frame, same_size ? reference : nullptr, embedded["reference"],
-                          tolerance != image.end() && tolerance->is_number() ? tolerance->get<double>() : 0.0, room_left());
+        embedded["student"] = embed_student(student.frame, same_size ? reference : nullptr, embedded["reference"],
+                                            allowance_of(image), room_left());
         if (reference && !same_size)
             embedded["notes"].push_back(fmt::format("The student's picture has {} x {} pixels, POV-Ray's {} x {}",
                                                     student.frame.width, student.frame.height,

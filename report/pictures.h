@@ -18,6 +18,12 @@ struct Exr {
     Picture low, high;  ///< empty when the file has no channels min.* max.*
 };
 
+/// The grader's rule: a value may differ by absolute + relative * |reference|.
+struct Allowance {
+    double absolute = 0, relative = 0;
+    double of(float reference) const;
+};
+
 /// Reads R G B (and min.* max.*) as floats. Throws std::runtime_error with a message for the page: missing file, not a
 /// picture, channels missing, or more than 4 million pixels.
 Exr read_picture(const std::filesystem::path& file);
@@ -47,7 +53,7 @@ private:
     };
     nlohmann::json embed_reference(const std::filesystem::path& file, std::size_t room);
     nlohmann::json embed_student(const Picture& student, const Exr* reference, const nlohmann::json& reference_blob,
-                                 double tolerance, std::size_t room);
+                                 const Allowance& allowance, std::size_t room);
     nlohmann::json keep(const Picture& picture, const PixelCode& code, const Bytes& marks, int mantissa,
                         std::size_t room);
 

@@ -56,7 +56,7 @@ R.pictureFacts = (image) => {
                    ["of these on silhouettes", R.isNumber(image.on_silhouettes) ? String(image.on_silhouettes) : null],
                    ["largest error", "max_error" in image ? R.number(image.max_error) : null],
                    ["RMSE", "rmse" in image ? R.number(image.rmse) : null],
-                   ["tolerance", R.isNumber(image.tolerance) ? R.number(image.tolerance) : null]];
+                   ["tolerance for a value of 1", R.isNumber(image.tolerance) ? R.number(image.tolerance) : null]];
     const notes = R.list(image.embedded?.notes).map((note) => R.h("p", {class: "note", text: R.text(note)}));
     return R.h("div", {class: "facts"}, R.h("dl", {}, ...facts.filter(([, v]) => v !== null).map(([k, v]) => R.h("div", {}, R.h("dt", {text: k}), R.h("dd", {text: v})))), ...notes);
 };

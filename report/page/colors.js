@@ -42,15 +42,15 @@ R.colors = (() => {
     const table = lab.map(([L, a, b]) => linear(L, a, b).map((v) => Math.round(255 * encode(v))));
 
     const DECADES_BELOW = 3, DECADES_ABOVE = 3;
-    /** 0..1 on the scale for an error; the tolerance is the middle. */
-    const position = (error, tolerance) => {
+    /** 0..1 on the scale for an error in units of the tolerance, which is the middle. */
+    const position = (error) => {
         if (!(error > 0)) return 0;
-        const decades = Math.log10(error / tolerance);
+        const decades = Math.log10(error);
         const t = decades <= 0 ? 0.5 * (1 + decades / DECADES_BELOW) : 0.5 * (1 + decades / DECADES_ABOVE);
         return Math.min(1, Math.max(0, t));
     };
     const at = (t) => table[Math.min(255, Math.max(0, Math.floor(t * 256)))];
-    const index = (error, tolerance) => Math.min(255, Math.floor(position(error, tolerance) * 256));
+    const index = (error) => (error <= 1 ? Math.min(127, Math.floor(position(error) * 256)) : Math.min(255, Math.floor(position(error) * 256)));
 
     // Linear radiance to a byte: 4096 steps are finer than a display's 256 even in the shadows, where encode() is steepest.
     const bytes = Uint8Array.from({length: 4097}, (_, i) => Math.round(255 * encode(i / 4096)));

@@ -8,6 +8,11 @@ R.pictureScene = (check) => {
         image, student: null, reference: null, width: 4, height: 3, exposure: 0, outlines: true,
         x: R.isNumber(worst.x) ? worst.x : null, y: R.isNumber(worst.y) ? worst.y : null,
         tolerance: R.isNumber(image.tolerance) && image.tolerance > 0 ? image.tolerance : 5e-4,
+        /** By how much a value may differ from the reference's. */
+        allowed: (reference) => {
+            const absolute = R.isNumber(image.tolerance_absolute) ? image.tolerance_absolute : scene.tolerance;
+            return absolute + (scene.tolerance - absolute) * Math.abs(reference);
+        },
         worst: R.isNumber(worst.x) && R.isNumber(worst.y) ? worst : null,
         onChange: (run) => listeners.add(run),
         change: (what) => {
@@ -26,15 +31,17 @@ R.pictureScene = (check) => {
 };
 R.pending = [];  // what has to be decoded before the page is whole
 
-/** Largest difference of a pixel's three channels; NaN when one is not a number. */
+/** Largest difference of a pixel's three channels in units of what is allowed; NaN when one is not a number. On which
+    side of 1 it lies was decided with the full floats: the page's are rounded. */
 R.pixelError = (scene, i) => {
     let error = 0;
     for (let c = 3 * i; c < 3 * i + 3; ++c) {
-        const d = Math.abs(scene.student.rgb[c] - scene.reference.rgb[c]);
-        if (!(d <= error)) error = d;
+        const reference = scene.reference.rgb[c];
+        const times = Math.abs(scene.student.rgb[c] - reference) / scene.allowed(reference);
+        if (!(times <= error)) error = times;
         if (error !== error) return NaN;
     }
-    return error;
+    return scene.student.marked(i) ? Math.max(error, 1.001) : Math.min(error, 1);
 };
 
 /** A canvas that always shows that picture at the scene's exposure. */

@@ -58,9 +58,10 @@ R.pixels = (() => {
             const base = await known.get(blob.base);
             planes.forEach((plane, c) => add(plane, base.planes[c], blob.mantissa - blob.base_mantissa));
         }
-        const marks = bytes.subarray(12 * n);
-        return {width: blob.width, height: blob.height, mantissa: blob.mantissa, planes, rgb: toFloats(planes, n, blob.mantissa),
-                marked: (i) => (marks[i >> 3] >> (i & 7) & 1) === 1};
+        // Of the reference: outlines. Of the student's picture: pixels beyond the tolerance, and those of them on silhouettes.
+        const marks = bytes.subarray(12 * n), plane = (n + 7) >> 3;
+        const bits = (k) => (i) => (marks[k * plane + (i >> 3)] >> (i & 7) & 1) === 1;
+        return {width: blob.width, height: blob.height, mantissa: blob.mantissa, planes, rgb: toFloats(planes, n, blob.mantissa), marked: bits(0), explained: bits(1)};
     };
 
     const get = (blob) => {

@@ -11,9 +11,9 @@ R.errorCanvas = (scene) => {
     const cell = (i) => {
         const error = R.pixelError(scene, i);
         if (!Number.isFinite(error)) return (dx, dy) => ((dx < CELL / 2) === (dy < CELL / 2) ? BLACK : NOT_A_NUMBER);
-        const {plain, faint} = colors[R.colors.index(error, scene.tolerance)];
+        const {plain, faint} = colors[R.colors.index(error)];
         const border = (d) => d === 0 || d === CELL - 1;
-        if (scene.outlines && scene.student.marked(i)) return (dx, dy) => (border(dx) || border(dy) ? rgba(...OUTLINE) : plain);
+        if (scene.outlines && scene.student.explained(i)) return (dx, dy) => (border(dx) || border(dy) ? rgba(...OUTLINE) : plain);
         if (scene.outlines && scene.reference.marked(i)) return (dx, dy) => (border(dx) || border(dy) ? plain : faint);
         return () => plain;
     };
@@ -53,6 +53,11 @@ R.errorMap = (scene, title) => {
     return R.h("figure", {class: "errors"}, box, R.errorLegend(scene));
 };
 
+R.toleranceText = (scene) => {
+    const fixed = scene.allowed(0), grows = scene.allowed(1) - fixed;
+    return grows > 0 ? `${R.number(fixed, 2)} + ${R.number(grows)} of POV-Ray's value` : R.number(fixed);
+};
+
 R.errorScale = (scene) => {
     const {DECADES_BELOW, DECADES_ABOVE, at} = R.colors;
     const strip = R.h("canvas", {class: "strip", width: 256, height: 1, "aria-hidden": "true"});
@@ -62,16 +67,14 @@ R.errorScale = (scene) => {
         context.fillRect(i, 0, 1, 1);
     }
     const tick = (at, text, name = "") => R.h("span", {class: `tick ${name}`, style: {left: `${at * 100}%`}, text});
-    const t = scene.tolerance;
-    const ticks = [tick(0, R.number(t / 10 ** DECADES_BELOW, 2), "first"), tick(0.5, `tolerance ${R.number(t, 2)}`, "middle"),
-                   tick(1, R.number(t * 10 ** DECADES_ABOVE, 2), "last")];
-    return R.h("div", {class: "scale", role: "img", "aria-label": `Colour scale of the error, logarithmic, the tolerance ${R.number(t, 2)} in the middle`}, strip, ...ticks);
+    const ticks = [tick(0, `10${R.superscript(-DECADES_BELOW)} ×`, "first"), tick(0.5, "tolerance", "middle"), tick(1, `10${R.superscript(DECADES_ABOVE)} ×`, "last")];
+    return R.h("div", {class: "scale", role: "img", "aria-label": "Colour scale of the error, logarithmic, the tolerance in the middle"}, strip, ...ticks);
 };
 
 R.errorLegend = (scene) => {
     const key = (name, text) => R.h("span", {class: "key"}, R.h("i", {class: name, "aria-hidden": "true"}), text);
     return R.h("figcaption", {class: "legend"}, R.errorScale(scene),
-        R.h("p", {class: "keys"}, "Largest difference of R, G, B in linear radiance, so it does not depend on the exposure. ",
+        R.h("p", {class: "keys"}, `Largest difference of R, G, B in linear radiance, whatever the exposure, over the tolerance (${R.toleranceText(scene)}). `,
             key("k-outline", "outline in the reference"), key("k-silhouette", "beyond tolerance, but within the reference's silhouette"),
             key("k-nan", "not a number")));
 };
@@ -111,11 +114,10 @@ R.inspector = (scene) => {
                 context.fillRect(dx + 4, dy + 4, 1, 1);
             }
     };
-    const judge = (difference, i) => {
-        const error = Math.max(...difference.map(Math.abs));
-        const times = error / scene.tolerance;
-        if (!(times <= 1) && scene.student.marked(i)) return ["mixed", "Beyond tolerance, but within POV-Ray's own silhouette here"];
-        if (times <= 1) return ["good", "Within tolerance"];
+    const judge = (i) => {
+        const times = R.pixelError(scene, i);
+        if (scene.student.explained(i)) return ["mixed", "Beyond tolerance, but within POV-Ray's own silhouette here"];
+        if (!scene.student.marked(i)) return ["good", "Within tolerance"];
         return ["bad", Number.isFinite(times) ? `${R.number(times, 2)} × the tolerance` : "Not a finite number"];
     };
     const show = () => {
@@ -127,10 +129,10 @@ R.inspector = (scene) => {
         for (const {whose, cells} of rows)
             cells.forEach((cell, c) => {
                 cell.textContent = values[whose] ? R.pixelNumber(values[whose][c]) : "–";
-                const beyond = whose === "difference" && values[whose] && !(Math.abs(values[whose][c]) <= scene.tolerance);
+                const beyond = whose === "difference" && values[whose] && !(Math.abs(values[whose][c]) <= scene.allowed(values.reference[c]));
                 cell.classList.toggle("beyond", Boolean(beyond));
             });
-        const [tone, words] = scene.comparable ? judge(values.difference, i) : ["idle", "Nothing to compare with"];
+        const [tone, words] = scene.comparable ? judge(i) : ["idle", "Nothing to compare with"];
         verdict.textContent = words;
         verdict.dataset.tone = tone;
         lenses.forEach(drawLens);

@@ -10,7 +10,7 @@ const TASKS = {
     1: [["1.1", "Camera rays", 6], ["1.2", "Plane", 4], ["1.3", "Sphere", 8], ["1.4", "Triangle", 6], ["1.5", "Polygon with holes", 8], ["1.6", "Quadric", 4], ["1.7", "Torus", 4]],
     2: [["2.1", "Ambient and diffuse", 10], ["2.2", "Phong highlight", 10], ["2.3", "Shadow rays", 12], ["2.4", "Spotlight and fading", 8]],
 };
-const TOLERANCE = 5e-4;
+const TOLERANCE = 1 / 2048 + 3e-5, TOLERANCE_ABSOLUTE = 1e-5;
 
 const tree = (kind) => ["camera ray from (0, 1, -5) along (0.124, -0.031, 0.9918): object 0 at t=4.21903, point (0.5232, 0.8692, -0.8155), normal (0.4, 0.25, -0.88) -> radiance (0.41, 0.22, 0.09)",
     `  shadow ray from (0.5232, 0.8692, -0.8155) along (0.577, 0.577, -0.577): ${kind === "student" ? "blocked" : "free"}`,
@@ -24,7 +24,7 @@ const sweep = (naiveBreaksAt, student) => ({
 
 const image = (scene, number, mistake = 0) => ({
     scene: `${number < 13 ? "1_ray_casting" : "2_phong"}/${scene}.pov`, student: `pictures/student-${number}-${mistake}.exr`, reference: `pictures/reference-${number}.exr`,
-    width: 160, height: 120, pixels: 19200, beyond_rounding: mistake ? 612 : 3, on_silhouettes: mistake ? 9 : 3, max_error: mistake ? 0.7013 : 0.00024, rmse: mistake ? 0.031 : 0.00006, tolerance: TOLERANCE,
+    width: 160, height: 120, pixels: 19200, beyond_rounding: mistake ? 612 : 3, on_silhouettes: mistake ? 9 : 3, max_error: mistake ? 0.7013 : 0.00024, rmse: mistake ? 0.031 : 0.00006, tolerance: TOLERANCE, tolerance_absolute: TOLERANCE_ABSOLUTE,
     worst: {x: 101, y: 44, student: [0.25, 0.5, 0.125], reference: [0.2501, 0.5001, 0.1249]},
 });
 
