@@ -14,7 +14,9 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Vec3& to_viewer) {
     // silhouettes the two differ.
     surface.normal = facing(hit.shading_normal, to_viewer);
     surface.to_viewer = to_viewer;
-    surface.color = pigment_at(scene, material.pigment, hit.point).rgb;
+    const Color color = pigment_at(scene, material.pigment, hit.point);
+    surface.color = color.rgb;
+    surface.opacity = 1 - color.filter - color.transmit;
     surface.finish = &material.finish;
     return surface;
 }
