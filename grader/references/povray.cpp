@@ -20,8 +20,9 @@ namespace {
 // +WT1 one thread, so that nothing depends on their order; -A one sample a pixel, -J without jitter; +FE OpenEXR.
 const std::vector<std::string> kOptions{"-D", "-V", "-GS", "-GR", "-GD", "+WT1", "-A", "-J", "+FE"};
 
-/// A home folder whose povray.conf permits what a run needs and nothing else, and that has no povray.ini. (A user's
-/// povray.conf replaces the list of the system's; the system's restrictions themselves stay.)
+/// A home folder with an empty povray.ini, so that no option of the user's changes a picture, and a povray.conf that
+/// permits what a run needs, whatever the user's and the system's say (a user's list of paths replaces the system's).
+/// It is no fence: version 3.7.0.10 reads this file but on Unix never asks it; see included_files().
 void make_home(const fs::path& home, const std::vector<fs::path>& readable, const fs::path& writable) {
     const fs::path folder = home / ".povray" / "3.7";
     fs::create_directories(folder);
@@ -70,7 +71,12 @@ std::vector<std::string> messages(const std::string& output) {
 /// Runs POV-Ray and returns what it said.
 std::string run(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& folder,
                 const fs::path& home, double seconds, const std::string& what) {
-    ProcessOrder order{program, arguments, folder, {{"HOME", home.string()}}, home / "output.txt", seconds};
+    const ProcessOrder order{.program = program,
+                             .arguments = arguments,
+                             .folder = folder,
+                             .environment = {{"HOME", home.string()}},
+                             .output = home / "output.txt",
+                             .seconds = seconds};
     const ProcessEnd end = run_process(order);
     const std::string output = read_file(order.output);
     if (!end.good()) fail(what, end.describe(order), output);

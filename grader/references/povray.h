@@ -40,8 +40,7 @@ public:
     /// names relative to the scene's folder. A person in that folder can type it.
     static std::vector<std::string> frame_options(const std::string& scene, Raster raster, const std::string& output);
 
-    /// Renders one frame. It may read the scene's folder and the include folder, and write a temporary folder, whatever
-    /// povray.conf and povray.ini of the user say. Throws PovrayError.
+    /// Renders one frame, whatever povray.conf and povray.ini of the user say. Throws PovrayError.
     PovrayFrame frame(const std::filesystem::path& scene, Raster raster, double seconds) const;
 
     /// Only parses and runs the scene's language, and returns what it wrote to the file "answers" of its working

@@ -13,6 +13,7 @@ struct ProcessOrder {
     std::vector<std::string> arguments;
     std::filesystem::path folder;                               ///< the working folder; empty: this process's
     std::vector<std::pair<std::string, std::string>> environment;  ///< set in addition to this process's
+    std::filesystem::path input = "/dev/null";                  ///< its standard input
     std::filesystem::path output;                               ///< receives standard output and standard error
     double seconds = 60;                                        ///< wall time, after which it is killed
 };

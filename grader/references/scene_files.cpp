@@ -80,12 +80,22 @@ private:
     std::string_view rest_;
 };
 
+/// Where a file really lies, through links and "..".
+bool lies_in(const fs::path& file, const fs::path& folder) {
+    const fs::path inside = fs::weakly_canonical(file).lexically_relative(fs::canonical(folder.empty() ? "." : folder));
+    return !inside.empty() && *inside.begin() != "..";
+}
+
 fs::path locate(const std::string& name, const fs::path& scene, const std::vector<fs::path>& folders,
                 const std::string& asked_by) {
     std::vector<fs::path> tried{scene.parent_path()};
     tried.insert(tried.end(), folders.begin(), folders.end());
     for (const fs::path& folder : tried) {
-        if (fs::is_regular_file(folder / name)) return folder / name;
+        const fs::path file = folder / name;
+        if (!fs::is_regular_file(file)) continue;
+        if (lies_in(file, folder)) return file;
+        throw InputError(fmt::format("{}: includes \"{}\", which lies outside of {}", asked_by, name,
+                                     folder.empty() ? "." : folder.string()));
     }
     std::string where;
     for (const fs::path& folder : tried) where += (where.empty() ? "" : ", ") + (folder.empty() ? "." : folder.string());

@@ -21,7 +21,8 @@ std::vector<std::string> scenes_named(const std::vector<std::string>& scenes, co
 std::vector<std::string> included_names(std::string_view sdl, const std::string& where);
 
 /// Every file that the scene includes, directly or not: the name as written -> where it was found (the scene's folder
-/// first, then each of `folders`). Throws InputError when one is nowhere.
+/// first, then each of `folders`). Throws InputError when one is nowhere, or outside of the folder it was looked for in:
+/// POV-Ray 3.7 on Unix reads any file whatever its povray.conf permits.
 std::map<std::string, std::filesystem::path> included_files(const std::filesystem::path& scene,
                                                             const std::vector<std::filesystem::path>& folders);
 
