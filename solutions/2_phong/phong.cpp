@@ -14,13 +14,6 @@ namespace {
 /// Every formula of this file works on unit vectors: the dot product is the cosine of the angle.
 Real cosine(const Vec3& a, const Vec3& b) { return glm::dot(a, b); }
 
-/// c^exponent, c > 0. A highlight is dark almost everywhere, and pow is the dearest part of it: as c^m <= e^(-m (1-c)),
-/// a look at the exponent tells where the highlight is below 1e-11, far under what a half float can add to a picture.
-float power(Real c, Real exponent) {
-    if (exponent * (1 - c) > 25) return 0;
-    return static_cast<float>(std::pow(c, exponent));
-}
-
 /// The smooth step 3 s^2 - 2 s^3, s in [0, 1]: POV-Ray's "cubic spline" at the rim of a light.
 Real smooth_step(Real s) { return (3 - 2 * s) * s * s; }
 
@@ -108,8 +101,8 @@ Radiance phong(const Surface& surface, const Illumination& light) {
     const Vec3 mirrored = 2 * cosine(surface.normal, surface.to_viewer) * surface.normal - surface.to_viewer;
     const Real r_dot_l = cosine(mirrored, light.to_light);
     if (!(r_dot_l > 0)) return Radiance(0.0f);
-    const float strength = finish.phong * power(r_dot_l, finish.phong_size);
-    return strength > 0 ? strength * highlight_color(surface, light) : Radiance(0.0f);
+    const Real strength = finish.phong * std::pow(r_dot_l, Real(finish.phong_size));
+    return static_cast<float>(strength) * highlight_color(surface, light);
     //< 2.4
 }
 
@@ -123,8 +116,8 @@ Radiance blinn(const Surface& surface, const Illumination& light) {
     if (!(length > 0)) return Radiance(0.0f);
     const Real n_dot_h = cosine(surface.normal, between) / length;
     if (!(n_dot_h > 0)) return Radiance(0.0f);
-    const float strength = finish.specular * power(n_dot_h, 1 / Real(finish.roughness));
-    return strength > 0 ? strength * highlight_color(surface, light) : Radiance(0.0f);
+    const Real strength = finish.specular * std::pow(n_dot_h, 1 / Real(finish.roughness));
+    return static_cast<float>(strength) * highlight_color(surface, light);
     //< 2.5
 }
 
