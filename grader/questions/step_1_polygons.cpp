@@ -47,6 +47,14 @@ std::vector<Drawing> drawings() {
           {{3, 3}, true, "on the island"},
           {{5.5L, 3}, true, "in the frame"},
           {{3, 4.5L}, false, "above the island"}}},
+        {"a square on its corner",
+         {{{0, 0}, {2, -2}, {4, 0}, {2, 2}}},
+         {{{1, 0}, true, "on a level with its left and right corner"},
+          {{3.5L, 0}, true, "on a level with them, close to the right one"},
+          {{2, 1}, true, "straight below its upper corner"},
+          {{2, -1.5L}, true, "straight above its lower corner"},
+          {{-1, 0}, false, "left of it, on a level with its corners"},
+          {{2, -3}, false, "straight below it"}}},
         {"two squares apart",
          {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{3, 3}, {5, 3}, {5, 5}, {3, 5}}},
          {{{0.5L, 0.5L}, true, "in the first"}, {{4, 4}, true, "in the second"}, {{2, 2}, false, "between them"}}},
@@ -107,9 +115,10 @@ std::vector<Question> polygons(std::uint64_t seed) {
             const Paper paper = any_paper(dice, round == 0 ? kind++ % 3 : 3);
             book.objects(text(drawing, paper));
             for (const Sample& sample : drawing.samples) {
-                V d = dice.unit();
+                // Straight on in axis planes: then the hit is on a level with corners to the last digit.
+                V d = round == 0 ? paper.normal() : dice.unit();
                 while (std::abs(glm::dot(d, paper.normal())) < 0.3L) d = dice.unit();
-                const Shot shot = aim(paper.at(sample.point), d, dice.between(2, 9), dice.between(0.2, 5));
+                const Shot shot = aim(paper.at(sample.point), dice.coin() ? d : -d, dice.between(2, 9), dice.between(0.2, 5));
                 const std::string about = fmt::format("{}: {}", drawing.name, sample.about);
                 sample.inside ? book.root(shot, about) : book.miss(shot, about);
             }

@@ -91,7 +91,13 @@ std::vector<Question> tori(std::uint64_t seed) {
             const L rho = rounded(major + ring.minor * (1 - depth));
             Shot grazing = aim(V(rho, 0, 0), V(0, 1, 0), 4);
             grazing.t -= std::sqrt((ring.minor - (rho - major)) * (ring.minor + (rho - major)));
-            book.root(grazing, fmt::format("two roots close together: {} tube radii deep", number(depth)));
+            book.root(grazing, fmt::format("two roots close together at the wall: {} tube radii deep", number(depth)));
+            // Across the top from the hole outwards: rho = R -+ sqrt(r^2 - y^2).
+            const L y = rounded(ring.minor * (1 - depth)), around = dice.between(0, 6.28);
+            const V out(std::cos(around), 0, std::sin(around));
+            Shot top = aim(major * out + V(0, y, 0), out, 0.7L * major);
+            top.t -= std::sqrt((ring.minor - y) * (ring.minor + y));
+            if (top.t > 0) book.root(top, fmt::format("two roots close together at the top: {} tube radii deep", number(depth)));
         }
     }
     return book.take();

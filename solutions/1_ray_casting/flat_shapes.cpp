@@ -58,10 +58,9 @@ void for_each_edge(const Polygon& polygon, Visitor edge) {
 /// corners do no harm (Tampieri, "Newell's Method for Computing the Plane Equation of a Polygon", Graphics Gems III).
 /// Taken from the first point, so that the place of the polygon does not eat the digits of its shape.
 Vec3 newell_normal(const Polygon& polygon, std::uint32_t begin, std::uint32_t end) {
+    const std::vector<Vec3>& p = polygon.points;
     Vec3 sum(0);
-    const Vec3 first = polygon.points[begin];
-    for (std::uint32_t i = begin + 1; i + 1 < end; ++i)
-        sum += glm::cross(polygon.points[i] - first, polygon.points[i + 1] - first);
+    for (std::uint32_t i = begin + 1; i + 1 < end; ++i) sum += glm::cross(p[i] - p[begin], p[i + 1] - p[begin]);
     return sum;
 }
 
