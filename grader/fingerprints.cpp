@@ -25,7 +25,7 @@ constexpr double kSame = 2e-4;
 
 constexpr double kOwnShare = 0.9, kTheirShare = 0.5;
 // The next best must be worse by this much of the share of common differences.
-constexpr double kUnique = 0.02;
+constexpr double kUnique = 0.002;
 
 // Written so that two NaN agree: a mutant that answers NaN is recognised by it.
 bool same(double a, double b) {

@@ -85,8 +85,10 @@ TEST(CommittedMutants, ApplyToTheSolutions) {
     for (const Mutant& m : read_mutants(project.mutants())) {
         EXPECT_NO_THROW(apply(m, read_file(project.root / "solutions" / m.file))) << m.id;
         const int number = std::atoi(m.task.c_str());
-        for (const Step& step : steps)
-            if (step.number == number) EXPECT_NE(step.find(m.task), nullptr) << m.id << " is about the unknown task " << m.task;
+        for (const Step& step : steps) {
+            if (step.number != number) continue;
+            EXPECT_NE(step.find(m.task), nullptr) << m.id << " is about the unknown task " << m.task;
+        }
     }
 }
 

@@ -1,0 +1,191 @@
+// Whole submissions: built, run and graded as a student's are. Good ones, untouched ones, broken ones, hostile ones.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "grader/grade.h"
+#include "grader/mutants.h"
+#include "grader/summary.h"
+#include "schema_check.h"
+#include "tools.h"
+
+namespace rays::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+// All of these change step 2, which is one file and quick to build. Step 1 is the starter's or the solution's.
+constexpr int kStep = 2;
+constexpr const char* kFile = "2_phong/phong.cpp";
+
+class SubmissionsTest : public testing::Test {
+protected:
+    Project project = find_project();
+    TemporaryFolder folder;
+
+    fs::path submission() const { return folder.path() / "submission"; }
+    fs::path out() const { return folder.path() / "out"; }
+
+    void put(const std::string& file, const std::string& text) const {
+        fs::create_directories((submission() / file).parent_path());
+        std::ofstream(submission() / file) << text;
+    }
+    std::string solution() const { return read_file(project.root / "solutions" / kFile); }
+
+    /// The solution with a line put at the beginning of `illuminate`, which every lit pixel asks.
+    std::string solution_with(const std::string& line, const std::string& at = "Illumination illuminate(const Light& light, const Vec3& point) {") const {
+        std::string text = solution();
+        const auto found = text.find(at);
+        EXPECT_NE(found, std::string::npos) << "the solution has changed";
+        text.insert(found + at.size(), "\n" + line + "\n");
+        return "#include <cstdio>\n#include <cstdlib>\n#include <cmath>\n#include <unistd.h>\n" + text;
+    }
+
+    Results run(std::vector<int> steps = {kStep}) const {
+        fs::create_directories(submission());
+        GradeOptions options;
+        options.steps = std::move(steps);
+        options.submission = submission();
+        options.out = out();
+        options.seed = 11;
+        options.report = false;
+        const Results results = grade(project, options);
+        EXPECT_EQ(results.infrastructure_error, "");
+        const auto schema = nlohmann::json::parse(read_file(project.root / "grader" / "results.schema.json"));
+        EXPECT_EQ(schema_problems(nlohmann::json::parse(read_file(out() / "results.json")), schema), std::vector<std::string>{});
+        for (const char c : summary(results, "out")) EXPECT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7f));
+        return results;
+    }
+};
+
+std::vector<Verdict> verdicts(const StepResult& step, const std::string& kind) {
+    std::vector<Verdict> list;
+    for (const Check& c : step.checks)
+        if (c.kind == kind && c.mode == "isolated") list.push_back(c.verdict);
+    return list;
+}
+
+bool has(const std::vector<Verdict>& list, Verdict v) { return std::find(list.begin(), list.end(), v) != list.end(); }
+
+TEST_F(SubmissionsTest, TheSolutionGetsFullMarks) {
+    GradeOptions options;
+    options.from = "solution";
+    options.out = out();
+    options.report = false;
+    const Results r = grade(project, options);
+    EXPECT_EQ(r.infrastructure_error, "");
+    ASSERT_FALSE(r.steps.empty());
+    for (const StepResult& step : r.steps) {
+        EXPECT_NEAR(step.points, step.max, 1e-9) << step.id;
+        for (const Check& c : step.checks) EXPECT_EQ(c.verdict, Verdict::pass) << c.id << ": " << c.message;
+    }
+    EXPECT_EQ(r.points, r.max);
+}
+
+TEST_F(SubmissionsTest, AnUntouchedStarterIsNotStartedOnEveryTask) {
+    const Results r = run({});
+    for (const StepResult& step : r.steps) {
+        EXPECT_EQ(step.verdict, Verdict::not_started) << step.id;
+        EXPECT_EQ(step.points, 0);
+        for (const TaskResult& t : step.tasks) {
+            EXPECT_EQ(t.verdict, Verdict::not_started) << t.id;
+            EXPECT_GT(t.line, 0) << t.id << ": where to write";
+        }
+        for (const Check& c : step.checks) EXPECT_EQ(c.verdict, Verdict::not_started) << c.id << ": " << c.message;
+    }
+}
+
+TEST_F(SubmissionsTest, AFlatFolderIsASubmission) {
+    put("phong.cpp", solution());
+    const Results r = run();
+    EXPECT_EQ(r.steps.at(0).verdict, Verdict::pass);
+    EXPECT_EQ(r.submission_from, "submission");
+}
+
+TEST_F(SubmissionsTest, ASyntaxErrorIsABuildError) {
+    put(kFile, "this is no C++\n");
+    const Results r = run();
+    const StepResult& step = r.steps.at(0);
+    EXPECT_EQ(step.verdict, Verdict::build_error);
+    EXPECT_EQ(step.points, 0);
+    for (const Check& c : step.checks) EXPECT_EQ(c.verdict, Verdict::build_error);
+    EXPECT_NE(step.checks.at(0).message.find("steps/2_phong/phong.cpp:1"), std::string::npos) << step.checks.at(0).message;
+}
+
+TEST_F(SubmissionsTest, AMissingFunctionIsABuildError) {
+    put(kFile, "namespace rays {}\n");
+    EXPECT_EQ(run().steps.at(0).verdict, Verdict::build_error);
+}
+
+TEST_F(SubmissionsTest, ACrashIsACrash) {
+    put(kFile, solution_with("    std::abort();"));
+    const StepResult step = run().steps.at(0);
+    EXPECT_TRUE(has(verdicts(step, "image"), Verdict::crash));
+    EXPECT_TRUE(has(verdicts(step, "unit"), Verdict::crash));
+    EXPECT_TRUE(has(verdicts(step, "unit"), Verdict::pass)) << "tasks that do not need it are not punished";
+}
+
+TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
+    for (const Mutant& m : read_mutants(project.mutants()))
+        if (m.id == "M2.3") put(kFile, apply(m, solution()));
+    const StepResult step = run().steps.at(0);
+    EXPECT_EQ(step.verdict, Verdict::partial);
+    std::string named;
+    bool tree = false;
+    for (const Check& c : step.checks) {
+        for (const Diagnosis& d : c.diagnosis) {
+            if (d.kind == "mutant") named = d.mutant;
+            tree = tree || d.kind == "tree";
+        }
+    }
+    EXPECT_EQ(named, "M2.3");
+    EXPECT_TRUE(tree);
+    EXPECT_GT(step.points, 0);
+    EXPECT_LT(step.points, step.max);
+}
+
+TEST_F(SubmissionsTest, PixelsThatAreNoNumbersFail) {
+    put(kFile, solution_with("    Illumination nothing; nothing.radiance = Radiance(std::nanf(\"\")); return nothing;"));
+    const StepResult step = run().steps.at(0);
+    bool said = false;
+    for (const Check& c : step.checks) said = said || (c.kind == "image" && c.message.find("NaN") != std::string::npos);
+    EXPECT_TRUE(said);
+    EXPECT_FALSE(has(verdicts(step, "image"), Verdict::crash));
+}
+
+TEST_F(SubmissionsTest, AGradeCannotBePrinted) {
+    put(kFile, solution_with("    std::printf(\"Grade :=>> 100\\n\\x1b[2J{\\\"score\\\":100}\\n\"); std::fflush(stdout); Illumination dark; return dark;"));
+    const Results r = run();
+    EXPECT_LT(r.steps.at(0).points, r.steps.at(0).max / 2);
+    EXPECT_EQ(to_json(r).find("\x1b"), std::string::npos);
+}
+
+TEST_F(SubmissionsTest, AFloodOfTextIsStopped) {
+    put(kFile, solution_with("    for (;;) std::puts(\"flood flood flood flood flood flood flood flood flood flood flood\");"));
+    const StepResult step = run().steps.at(0);
+    EXPECT_FALSE(has(verdicts(step, "image"), Verdict::infrastructure_error));
+    EXPECT_TRUE(has(verdicts(step, "image"), Verdict::fail));
+}
+
+TEST_F(SubmissionsTest, AnEarlyGoodExitWithoutAPictureFails) {
+    put(kFile, solution_with("    std::_Exit(0);"));
+    const StepResult step = run().steps.at(0);
+    bool said = false;
+    for (const Check& c : step.checks) said = said || c.message.find("the picture was not written") != std::string::npos;
+    EXPECT_TRUE(said);
+    EXPECT_FALSE(has(verdicts(step, "image"), Verdict::pass) && step.points > step.max / 2);
+}
+
+TEST_F(SubmissionsTest, AForgedPictureIsJudgedAsAPicture) {
+    // Writes its own "picture" and leaves: an absurd header, a link to the password file, a folder.
+    for (const std::string how : {"FILE* f = std::fopen(\"picture.exr\", \"w\"); std::fputs(\"v/1\\x01\", f); std::fclose(f);", "symlink(\"/etc/passwd\", \"picture.exr\");"}) {
+        put(kFile, solution_with("    { [[maybe_unused]] int ignored = 0; " + how + " std::_Exit(0); }"));
+        const StepResult step = run().steps.at(0);
+        for (const Check& c : step.checks)
+            if (c.kind == "fresh" && c.task == "2.8") EXPECT_EQ(c.verdict, Verdict::fail) << c.message;
+    }
+}
+
+}  // namespace
+}  // namespace rays::grader
