@@ -13,7 +13,8 @@ std::string read_file(const std::filesystem::path& file);
 
 /// Calls `write` with a name beside `file`, then renames: whoever looks sees the old file, the new one, or none, never
 /// a half. Folders on the way are made. When `write` throws, nothing is left behind.
-void write_atomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write);
+void write_atomically(const std::filesystem::path& file,
+                      const std::function<void(const std::filesystem::path&)>& write);
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 /// A new empty folder for temporary files, removed with all that is in it.

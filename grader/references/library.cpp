@@ -15,7 +15,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string reference_name(const std::string& scene) { return fs::path(scene).replace_extension(".exr").generic_string(); }
+std::string reference_name(const std::string& scene) {
+    return fs::path(scene).replace_extension(".exr").generic_string();
+}
 
 std::string command_of(const std::string& scene, Raster raster) {
     const std::string file = fs::path(scene).filename().string();

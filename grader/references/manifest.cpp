@@ -56,8 +56,9 @@ const ManifestEntry* Manifest::find(const std::string& scene) const {
 }
 
 void Manifest::put(const ManifestEntry& entry) {
-    const auto place = std::lower_bound(entries.begin(), entries.end(), entry.scene,
-                                        [](const ManifestEntry& e, const std::string& scene) { return e.scene < scene; });
+    const auto place =
+        std::lower_bound(entries.begin(), entries.end(), entry.scene,
+                         [](const ManifestEntry& e, const std::string& scene) { return e.scene < scene; });
     if (place != entries.end() && place->scene == entry.scene) {
         *place = entry;
     } else {

@@ -16,9 +16,9 @@ struct ManifestEntry {
     Raster raster{160, 120};
     std::string method = "one frame";
     int frames = 1;
-    double standard_error = 0;  ///< of the mean of the frames; 0 for one deterministic frame
-    std::string command;        ///< as a person would type it in the scene's folder
-    std::string sha256;         ///< of the scene
+    double standard_error = 0;                    ///< of the mean of the frames; 0 for one deterministic frame
+    std::string command;                          ///< as a person would type it in the scene's folder
+    std::string sha256;                           ///< of the scene
     std::map<std::string, std::string> includes;  ///< name as written -> SHA-256
     std::string sha256_reference;
 };

@@ -146,7 +146,8 @@ std::string Povray::answers(const std::string& sdl, double seconds) const {
     make_home(temporary.path(), {}, temporary.path());
     write_atomically(temporary.path() / "questions.pov", sdl);
     std::vector<std::string> options = frame_options("questions.pov", {1, 1}, "frame.exr");
-    const std::string said = run(program_, options, temporary.path(), temporary.path(), seconds, "questions to trace()");
+    const std::string said =
+        run(program_, options, temporary.path(), temporary.path(), seconds, "questions to trace()");
     const fs::path file = temporary.path() / "answers";
     if (!fs::exists(file)) fail("questions to trace()", "no answers were written", said);
     return read_file(file);

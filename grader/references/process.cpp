@@ -97,7 +97,8 @@ std::filesystem::path find_program(const std::string& name) {
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find(':'), rest.size());
         const std::filesystem::path candidate = std::filesystem::path(rest.substr(0, end)) / name;
-        if (end > 0 && access(candidate.c_str(), X_OK) == 0 && !std::filesystem::is_directory(candidate)) return candidate;
+        if (end > 0 && access(candidate.c_str(), X_OK) == 0 && !std::filesystem::is_directory(candidate))
+            return candidate;
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     return {};

@@ -11,11 +11,11 @@ namespace rays {
 struct ProcessOrder {
     std::filesystem::path program;
     std::vector<std::string> arguments;
-    std::filesystem::path folder;                               ///< the working folder; empty: this process's
+    std::filesystem::path folder;                                  ///< the working folder; empty: this process's
     std::vector<std::pair<std::string, std::string>> environment;  ///< set in addition to this process's
-    std::filesystem::path input = "/dev/null";                  ///< its standard input
-    std::filesystem::path output;                               ///< receives standard output and standard error
-    double seconds = 60;                                        ///< wall time, after which it is killed
+    std::filesystem::path input = "/dev/null";                     ///< its standard input
+    std::filesystem::path output;                                  ///< receives standard output and standard error
+    double seconds = 60;                                           ///< wall time, after which it is killed
 };
 
 struct ProcessEnd {
@@ -27,7 +27,8 @@ struct ProcessEnd {
     std::string describe(const ProcessOrder& order) const;
 };
 
-/// Runs it to its end; when its time is up, its children are killed with it. Throws InputError when it cannot be started.
+/// Runs it to its end; when its time is up, its children are killed with it. Throws InputError when it cannot be
+/// started.
 ProcessEnd run_process(const ProcessOrder& order);
 
 /// The program's full path along PATH, or an empty path.

@@ -20,7 +20,8 @@ struct RgbImage {
     std::vector<Rgb> pixels;
 
     const Rgb& at(int x, int y) const {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(x)];
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) +
+                      static_cast<std::size_t>(x)];
     }
     Rgb& at(int x, int y) { return const_cast<Rgb&>(std::as_const(*this).at(x, y)); }
 };

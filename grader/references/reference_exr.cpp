@@ -40,7 +40,8 @@ void load_layers(const std::filesystem::path& file, const Layers& layers) {
         const long long width = 1LL + window.max.x - window.min.x;
         const long long height = 1LL + window.max.y - window.min.y;
         if (width < 1 || height < 1 || width > kLargest || height > kLargest) {
-            throw InputError(fmt::format("{}: {} x {} pixels, at most {} each way", file.string(), width, height, kLargest));
+            throw InputError(
+                fmt::format("{}: {} x {} pixels, at most {} each way", file.string(), width, height, kLargest));
         }
         Imf::FrameBuffer buffer;
         for (const auto& [layer, image] : layers) {
@@ -85,8 +86,9 @@ void save_reference(const Reference& reference, const std::filesystem::path& fil
             const std::string channel = std::string(layers[l].first) + kChannels[c];
             constexpr std::size_t step = 3 * sizeof(Imath::half);
             header.channels().insert(channel, Imf::Channel(Imf::HALF));
-            buffer.insert(channel, Imf::Slice::Make(Imf::HALF, &halves[l][c], Imath::V2i(0, 0), raster.width,
-                                                    raster.height, step, step * static_cast<std::size_t>(raster.width)));
+            buffer.insert(
+                channel, Imf::Slice::Make(Imf::HALF, &halves[l][c], Imath::V2i(0, 0), raster.width, raster.height, step,
+                                          step * static_cast<std::size_t>(raster.width)));
         }
     }
     write_atomically(file, [&](const std::filesystem::path& partial) {

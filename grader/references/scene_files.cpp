@@ -98,7 +98,8 @@ fs::path locate(const std::string& name, const fs::path& scene, const std::vecto
                                      folder.empty() ? "." : folder.string()));
     }
     std::string where;
-    for (const fs::path& folder : tried) where += (where.empty() ? "" : ", ") + (folder.empty() ? "." : folder.string());
+    for (const fs::path& folder : tried)
+        where += (where.empty() ? "" : ", ") + (folder.empty() ? "." : folder.string());
     throw InputError(fmt::format("{}: includes \"{}\", which is in none of: {}", asked_by, name, where));
 }
 

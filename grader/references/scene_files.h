@@ -9,7 +9,8 @@
 
 namespace rays {
 
-/// The scenes under `root`, as "1_ray_casting/one_sphere.pov", sorted: every *.pov in a folder that begins with a digit.
+/// The scenes under `root`, as "1_ray_casting/one_sphere.pov", sorted: every *.pov in a folder that begins with a
+/// digit.
 std::vector<std::string> find_scenes(const std::filesystem::path& root);
 
 /// Those of `scenes` that the name means: "1_ray_casting/one_sphere.pov", the same without folder or extension,
@@ -21,8 +22,8 @@ std::vector<std::string> scenes_named(const std::vector<std::string>& scenes, co
 std::vector<std::string> included_names(std::string_view sdl, const std::string& where);
 
 /// Every file that the scene includes, directly or not: the name as written -> where it was found (the scene's folder
-/// first, then each of `folders`). Throws InputError when one is nowhere, or outside of the folder it was looked for in:
-/// POV-Ray 3.7 on Unix reads any file whatever its povray.conf permits.
+/// first, then each of `folders`). Throws InputError when one is nowhere, or outside of the folder it was looked for
+/// in: POV-Ray 3.7 on Unix reads any file whatever its povray.conf permits.
 std::map<std::string, std::filesystem::path> included_files(const std::filesystem::path& scene,
                                                             const std::vector<std::filesystem::path>& folders);
 

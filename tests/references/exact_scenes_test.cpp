@@ -34,10 +34,13 @@ bool differs(const Rgb& ours, const Rgb& reference) {
 RgbImage render(const ManifestEntry& entry) {
     const TemporaryFolder temporary;
     const auto picture = temporary.path() / "picture.exr";
-    const ProcessOrder order{.program = RENDER_SOLUTION,
-                             .arguments = {(kFolders.scenes / entry.scene).string(), "-o", picture.string(), "--width",
-                                           std::to_string(entry.raster.width), "--height", std::to_string(entry.raster.height)},
-                             .folder = {}, .environment = {}, .output = temporary.path() / "out"};
+    const ProcessOrder order{
+        .program = RENDER_SOLUTION,
+        .arguments = {(kFolders.scenes / entry.scene).string(), "-o", picture.string(), "--width",
+                      std::to_string(entry.raster.width), "--height", std::to_string(entry.raster.height)},
+        .folder = {},
+        .environment = {},
+        .output = temporary.path() / "out"};
     const ProcessEnd end = run_process(order);
     if (!end.good()) throw InputError(end.describe(order) + ": " + read_file(order.output));
     return load_rgb_exr(picture);
@@ -56,7 +59,8 @@ TEST_P(ExactScene, IsPovraysPicture) {
             if (!differs(ours.at(x, y), reference.frame.at(x, y))) continue;
             ++count;
             where += fmt::format(" {},{}", x, y);
-            EXPECT_TRUE(reference.within_envelope(x, y, ours.at(x, y))) << "pixel " << x << "," << y << " is on no edge";
+            EXPECT_TRUE(reference.within_envelope(x, y, ours.at(x, y)))
+                << "pixel " << x << "," << y << " is on no edge";
         }
     }
     RecordProperty("differing_pixels", count);
@@ -83,7 +87,8 @@ TEST(CommittedReferences, MatchTheirScenes) {
 
 TEST(CommittedReferences, AreSmall) {
     std::uintmax_t bytes = 0;
-    for (const ManifestEntry& entry : entries()) bytes += std::filesystem::file_size(kFolders.references() / entry.reference);
+    for (const ManifestEntry& entry : entries())
+        bytes += std::filesystem::file_size(kFolders.references() / entry.reference);
     EXPECT_LT(bytes, 25u << 20);  // all together, in every clone
 }
 

@@ -42,8 +42,12 @@ TEST(Files, AppearWholeOrNotAtAll) {
 TEST(Process, StatusSignalTimeLimit) {
     const TemporaryFolder folder;
     const auto shell = [&](const std::string& command, double seconds) {
-        const ProcessOrder order{.program = "/bin/sh", .arguments = {"-c", command}, .folder = folder.path(),
-                                 .environment = {{"GREETING", "hello"}}, .output = folder.path() / "out", .seconds = seconds};
+        const ProcessOrder order{.program = "/bin/sh",
+                                 .arguments = {"-c", command},
+                                 .folder = folder.path(),
+                                 .environment = {{"GREETING", "hello"}},
+                                 .output = folder.path() / "out",
+                                 .seconds = seconds};
         return run_process(order);
     };
     EXPECT_EQ(shell("echo $GREETING; echo $PWD >&2; exit 3", 20).status, 3);
@@ -65,7 +69,8 @@ TEST(Includes, OnlyWherePovrayReadsThem) {
         #include "first.inc" #declare S = "#include \"string.inc\" ";
         # include "second.inc"
         density_file df3 "smoke.df3"
-        #debug "unclosed)", "test");
+        #debug "unclosed)",
+                                      "test");
     EXPECT_EQ(names, (std::vector<std::string>{"first.inc", "second.inc", "smoke.df3"}));
     EXPECT_THROW(included_names("#include concat(\"a\", \".inc\")", "test"), InputError);
     EXPECT_TRUE(included_names("/* never closed", "test").empty());
@@ -84,7 +89,8 @@ TEST(Includes, NestedAndCircular) {
 
 TEST(Scenes, AreFoundAndNamed) {
     const TemporaryFolder folder;
-    for (const char* name : {"1_ray_casting/b.pov", "1_ray_casting/a.pov", "2_phong/a.pov", "2_phong/a.inc", "other/c.pov"}) {
+    for (const char* name :
+         {"1_ray_casting/b.pov", "1_ray_casting/a.pov", "2_phong/a.pov", "2_phong/a.inc", "other/c.pov"}) {
         write_atomically(folder.path() / name, "");
     }
     const auto scenes = find_scenes(folder.path());
@@ -100,8 +106,13 @@ TEST(Scenes, AreFoundAndNamed) {
 TEST(Manifest, SurvivesItsFile) {
     const TemporaryFolder folder;
     Manifest manifest{"3.7", {}};
-    manifest.put({.scene = "2/b.pov", .reference = "2/b.exr", .raster = {3, 2}, .command = "povray", .sha256 = "x",
-                  .includes = {{"colors.inc", "y"}}, .sha256_reference = "z"});
+    manifest.put({.scene = "2/b.pov",
+                  .reference = "2/b.exr",
+                  .raster = {3, 2},
+                  .command = "povray",
+                  .sha256 = "x",
+                  .includes = {{"colors.inc", "y"}},
+                  .sha256_reference = "z"});
     ManifestEntry first;
     first.scene = "1/a.pov";
     manifest.put(first);
@@ -125,7 +136,8 @@ RgbImage grey(Raster raster, float value) {
 
 TEST(Reference, EnvelopeReachesHalfAPixelAround) {
     RgbImage fine = grey({16, 12}, 0.5f);
-    // Fine pixel (9, 5) lies in pixel (2, 1). Its centre is 2.375, 1.375: within half a pixel around (1 | 2, 0 | 1) only.
+    // Fine pixel (9, 5) lies in pixel (2, 1). Its centre is 2.375, 1.375: within half a pixel around (1 | 2, 0 | 1)
+    // only.
     fine.at(9, 5)[1] = 0.75f;
     const Reference reference = make_reference(grey({4, 3}, 0.5f), fine);
     for (int y = 0; y < 3; ++y) {

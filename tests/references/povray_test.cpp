@@ -30,7 +30,8 @@ protected:
 
     /// Exit status; what was said goes to out_ and err_.
     int run(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {"references", "--scenes", folder_.path().string(), "--width", "16", "--height", "12"});
+        arguments.insert(arguments.begin(),
+                         {"references", "--scenes", folder_.path().string(), "--width", "16", "--height", "12"});
         std::vector<const char*> argv;
         for (const std::string& a : arguments) argv.push_back(a.c_str());
         testing::internal::CaptureStdout();
@@ -128,7 +129,8 @@ TEST_F(References, StopAtTheTimeLimit) {
 TEST_F(References, ScenesReadNothingElse) {
     put("secret/key.inc", "#declare Key = 1;\n");
     std::filesystem::create_symlink(folder_.path() / "secret/key.inc", folder_.path() / "1_test/link.inc");
-    for (const std::string name : {"../secret/key.inc", (folder_.path() / "secret/key.inc").c_str(), "link.inc"}) {
+    const std::string absolute = (folder_.path() / "secret/key.inc").string();
+    for (const std::string& name : {std::string("../secret/key.inc"), absolute, std::string("link.inc")}) {
         put("1_test/bad.pov", "#version 3.7;\n#include \"" + name + "\"\n" + kScene);
         EXPECT_EQ(run({"bad"}), kCheckFailed);
         EXPECT_TRUE(err_says("lies outside")) << err_;

@@ -22,7 +22,9 @@ glm::dvec3 vector_from(std::istream& in) {
     return v;
 }
 
-std::runtime_error short_answers(const char* who) { return std::runtime_error(fmt::format("{}: too few answers", who)); }
+std::runtime_error short_answers(const char* who) {
+    return std::runtime_error(fmt::format("{}: too few answers", who));
+}
 
 }  // namespace
 
@@ -33,8 +35,9 @@ Meetings ask_povray(const Povray& povray, const Primitive& primitive, const std:
     for (const TestRay& ray : rays) sdl += fmt::format("{{{},{}}},\n", commas(ray.origin), commas(ray.direction));
     sdl += "}\n#fopen Out \"answers\" write\n";
     sdl += fmt::format("#for (I, 0, {})\n", rays.size() - 1);
-    sdl += "#declare P = trace(Thing, Rays[I][0], Rays[I][1], N);\n"
-           "#write (Out, vstr(3, P, \" \", 0, 17), \" \", vstr(3, N, \" \", 0, 17), \"\\n\")\n#end\n#fclose Out\n";
+    sdl +=
+        "#declare P = trace(Thing, Rays[I][0], Rays[I][1], N);\n"
+        "#write (Out, vstr(3, P, \" \", 0, 17), \" \", vstr(3, N, \" \", 0, 17), \"\\n\")\n#end\n#fclose Out\n";
 
     std::istringstream answers(povray.answers(sdl, kSeconds));
     Meetings result;
@@ -48,15 +51,21 @@ Meetings ask_povray(const Povray& povray, const Primitive& primitive, const std:
     return result;
 }
 
-Meetings ask_solution(const std::filesystem::path& program, const Primitive& primitive, const std::vector<TestRay>& rays) {
+Meetings ask_solution(const std::filesystem::path& program, const Primitive& primitive,
+                      const std::vector<TestRay>& rays) {
     const TemporaryFolder temporary;
     const std::string scene = "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n" + primitive.sdl + "\n";
     std::string questions = fmt::format("scene {}\n{}", scene.size(), scene);
     for (const TestRay& ray : rays) {
-        questions += fmt::format("nearest {} {} {} {}\n", blanks(ray.origin), blanks(ray.direction), ray.nearest, kFarthest);
+        questions +=
+            fmt::format("nearest {} {} {} {}\n", blanks(ray.origin), blanks(ray.direction), ray.nearest, kFarthest);
     }
-    const ProcessOrder order{.program = program, .arguments = {"--answer"}, .folder = {}, .environment = {},
-                             .input = temporary.path() / "questions", .output = temporary.path() / "answers",
+    const ProcessOrder order{.program = program,
+                             .arguments = {"--answer"},
+                             .folder = {},
+                             .environment = {},
+                             .input = temporary.path() / "questions",
+                             .output = temporary.path() / "answers",
                              .seconds = kSeconds};
     write_atomically(order.input, questions);
     const ProcessEnd end = run_process(order);

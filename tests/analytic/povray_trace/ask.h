@@ -19,6 +19,7 @@ using Meetings = std::vector<std::optional<Met>>;
 Meetings ask_povray(const Povray& povray, const Primitive& primitive, const std::vector<TestRay>& rays);
 
 /// Throws std::runtime_error when the program fails or answers anything but hits and misses.
-Meetings ask_solution(const std::filesystem::path& program, const Primitive& primitive, const std::vector<TestRay>& rays);
+Meetings ask_solution(const std::filesystem::path& program, const Primitive& primitive,
+                      const std::vector<TestRay>& rays);
 
 }  // namespace rays::povray_trace

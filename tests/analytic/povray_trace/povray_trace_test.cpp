@@ -48,9 +48,9 @@ TEST_P(Trace, AgreesWithPovray) {
         return ask_solution(RENDER_SOLUTION, primitive, asked);
     });
 
-    fmt::print("{:36} {:5} hits, off the surface {:.1e}, normal {:.1e}; ties:{}; leaks:{}; imprecise:{}\n", primitive.name,
-               verdict.hits, verdict.worst.off_surface, verdict.worst.turned, by_kind(verdict.ties), by_kind(verdict.leaks),
-               by_kind(verdict.imprecise));
+    fmt::print("{:36} {:5} hits, off the surface {:.1e}, normal {:.1e}; ties:{}; leaks:{}; imprecise:{}\n",
+               primitive.name, verdict.hits, verdict.worst.off_surface, verdict.worst.turned, by_kind(verdict.ties),
+               by_kind(verdict.leaks), by_kind(verdict.imprecise));
     RecordProperty("hits", static_cast<int>(verdict.hits));
     RecordProperty("off_surface", fmt::format("{:.3e}", verdict.worst.off_surface));
     RecordProperty("turned", fmt::format("{:.3e}", verdict.worst.turned));
@@ -65,7 +65,8 @@ TEST_P(Trace, AgreesWithPovray) {
     // Half of the tangent and edge rays are off by more than kTie, so a tie is never their common lot.
     EXPECT_LE(total(verdict.ties) + total(verdict.leaks), kRays / 10);
     std::string examples;
-    for (std::size_t i = 0; i < std::min<std::size_t>(5, verdict.wrong.size()); ++i) examples += verdict.wrong[i] + "\n";
+    for (std::size_t i = 0; i < std::min<std::size_t>(5, verdict.wrong.size()); ++i)
+        examples += verdict.wrong[i] + "\n";
     EXPECT_TRUE(verdict.wrong.empty()) << verdict.wrong.size() << " rays differ:\n" << examples;
 }
 

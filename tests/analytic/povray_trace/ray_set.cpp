@@ -46,7 +46,8 @@ TestRay from_afar(const Primitive& p, Random& r) {
 
 std::vector<TestRay> make_rays(const Primitive& primitive, std::size_t count, std::uint64_t seed) {
     const auto hard = primitive.edge ? at_edge : tangent;
-    const std::array makers{anywhere, anywhere, anywhere, from_inside, along_axis, tangent, tangent, hard, hard, from_afar};
+    const std::array makers{anywhere, anywhere, anywhere, from_inside, along_axis,
+                            tangent,  tangent,  hard,     hard,        from_afar};
     Random random(seed);
     std::vector<TestRay> result;
     for (std::size_t i = 0; i < count; ++i) result.push_back(makers[i % makers.size()](primitive, random));

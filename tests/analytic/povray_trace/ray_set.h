@@ -18,11 +18,12 @@ inline constexpr std::array kKindNames{"random", "inside", "axis", "tangent", "e
 struct TestRay {
     glm::dvec3 origin, direction;  ///< the direction has unit length but for rounding
     Kind kind = Kind::random;
-    double nearest = kNearest;     ///< where the ray begins to count
+    double nearest = kNearest;  ///< where the ray begins to count
 };
 
 /// `count` rays, the same for the same seed: random ones, from inside, parallel to an axis, almost tangent (off the
-/// surface by 1e-1 to 1e-12 of its size), towards edges and corners (exactly and almost), and from up to 300 sizes away.
+/// surface by 1e-1 to 1e-12 of its size), towards edges and corners (exactly and almost), and from up to 300 sizes
+/// away.
 std::vector<TestRay> make_rays(const Primitive& primitive, std::size_t count, std::uint64_t seed);
 
 }  // namespace rays::povray_trace

@@ -9,7 +9,8 @@ namespace {
 
 using MaybeMet = std::optional<Met>;
 
-/// How far a point may lie off a torus by rounding alone, as a share of its size; and how far POV-Ray's was seen to lie.
+/// How far a point may lie off a torus by rounding alone, as a share of its size; and how far POV-Ray's was seen to
+/// lie.
 constexpr double kExact = 1e-12;
 constexpr double kImprecise = 1e-5;
 
@@ -82,8 +83,8 @@ std::string describe(const TestRay& ray, const MaybeMet& theirs, const MaybeMet&
         return m ? fmt::format("at {} normal {}", text(m->point), text(m->normal)) : std::string("miss");
     };
     return fmt::format("{} ray from {} along {}:\n    POV-Ray {}\n    ours    {}",
-                       kKindNames[static_cast<std::size_t>(ray.kind)], text(ray.origin), text(ray.direction), met(theirs),
-                       met(ours));
+                       kKindNames[static_cast<std::size_t>(ray.kind)], text(ray.origin), text(ray.direction),
+                       met(theirs), met(ours));
 }
 
 }  // namespace
