@@ -11,9 +11,7 @@ L Dice::between(double low, double high) {
     return low + (high - low) * (0x1p-53 * static_cast<double>(engine_() >> 11));
 }
 
-L Dice::round_between(double low, double high) {
-    return rounded(std::round(between(low, high) * 1000) / 1000);
-}
+L Dice::round_between(double low, double high) { return rounded(std::round(between(low, high) * 1000) / 1000); }
 
 int Dice::whole(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
@@ -90,15 +88,14 @@ double off_in_length(const Answer& answer, L t, L speed) {
 }  // namespace
 
 Judge misses_it() {
-    return [](const Answer& answer) {
-        return judged(answer.kind == Answer::Kind::miss ? 0 : kWrong, 0, "miss");
-    };
+    return [](const Answer& answer) { return judged(answer.kind == Answer::Kind::miss ? 0 : kWrong, 0, "miss"); };
 }
 
 Judge hits_at(L t, L speed, L tolerance) {
     return [=](const Answer& answer) {
         const bool hit = is_hit(answer, kRootNumbers) || is_hit(answer, kNearestNumbers);
-        return judged(hit ? off_in_length(answer, t, speed) : kWrong, static_cast<double>(tolerance), "hit " + number(t));
+        return judged(hit ? off_in_length(answer, t, speed) : kWrong, static_cast<double>(tolerance),
+                      "hit " + number(t));
     };
 }
 

@@ -1,6 +1,7 @@
 // Questions about rays whose answer is known because it was chosen first: the point of the surface, then the ray.
 //
-// Truth is computed in long double from numbers that are doubles, so that scene, query and truth speak of the same shape.
+// Truth is computed in long double from numbers that are doubles, so that scene, query and truth speak of the same
+// shape.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -70,7 +71,8 @@ Shot aim(const V& target, const V& unit_direction, L distance, L speed = 1);
 std::string root_query(const Shot& shot, L t_min = 0, L t_max = kFar, int object = 0);
 std::string nearest_query(const Shot& shot, L t_min = 0, L t_max = kFar);
 
-// ---- Judges ----------------------------------------------------------------------------------------------------------
+// ---- Judges
+// ----------------------------------------------------------------------------------------------------------
 
 using Judge = std::function<Judgement(const Answer&)>;
 

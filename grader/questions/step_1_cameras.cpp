@@ -11,8 +11,10 @@ struct View {
     V location, direction, right, up;
 
     std::string text(const char* kind) const {
-        return fmt::format("#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\ncamera {{ {} location {} direction {} right {} up {} }}\n",
-                           kind, vector(location), vector(direction), vector(right), vector(up));
+        return fmt::format(
+            "#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\ncamera {{ {} location {} direction {} right {} up "
+            "{} }}\n",
+            kind, vector(location), vector(direction), vector(right), vector(up));
     }
 };
 
@@ -67,7 +69,8 @@ std::vector<Question> ask(const char* task, const char* kind, std::uint64_t seed
     };
     for (int i = 0; i < 4; ++i) {
         about(upright(dice, 4, 3), any_pixel(320, 240), "a pixel of an upright camera");
-        about(upright(dice, 1, 1), {9, 9, 4, 4}, "the middle pixel of an odd picture: the ray runs along the direction");
+        about(upright(dice, 1, 1), {9, 9, 4, 4},
+              "the middle pixel of an odd picture: the ray runs along the direction");
         about(upright(dice, 1, 1), any_pixel(12, 8), "a right vector that does not fit the picture's shape");
         about(upright(dice, 7, 2), any_pixel(7, 2), "width and height that do not divide each other");
         about(sheared(dice), any_pixel(160, 120), "direction, right and up at odd angles");
@@ -77,7 +80,8 @@ std::vector<Question> ask(const char* task, const char* kind, std::uint64_t seed
     }
     about(upright(dice, 4, 3), {320, 240, 0, 0}, "the upper left corner");
     about(upright(dice, 4, 3), {320, 240, 319, 239}, "the lower right corner");
-    about(upright(dice, 4, 3), {320, 240, 319, 0}, "the upper right corner: neither left and right nor up and down exchanged");
+    about(upright(dice, 4, 3), {320, 240, 319, 0},
+          "the upper right corner: neither left and right nor up and down exchanged");
     about(upright(dice, 1, 1), {1, 1, 0, 0}, "a picture of one pixel");
     return book.take();
 }

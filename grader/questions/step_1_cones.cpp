@@ -25,13 +25,13 @@ struct Frustum {
     V out(L angle) const { return std::cos(angle) * x + std::sin(angle) * y; }
     L radius(L s) const { return base_radius + s * (cap_radius - base_radius); }
     V mantle(L s, L angle) const { return base + s * height * axis + radius(s) * out(angle); }
-    V normal(L angle) const {
-        return glm::normalize(height * out(angle) - (cap_radius - base_radius) * axis);
-    }
+    V normal(L angle) const { return glm::normalize(height * out(angle) - (cap_radius - base_radius) * axis); }
     std::string text(bool open) const {
         const std::string end = open ? " open }\n" : " }\n";
-        if (base_radius == cap_radius) return fmt::format("cylinder {{ {}, {}, {}{}", vector(base), vector(cap), number(base_radius), end);
-        return fmt::format("cone {{ {}, {}, {}, {}{}", vector(base), number(base_radius), vector(cap), number(cap_radius), end);
+        if (base_radius == cap_radius)
+            return fmt::format("cylinder {{ {}, {}, {}{}", vector(base), vector(cap), number(base_radius), end);
+        return fmt::format("cone {{ {}, {}, {}, {}{}", vector(base), number(base_radius), vector(cap),
+                           number(cap_radius), end);
     }
 };
 
@@ -40,10 +40,10 @@ Frustum any_frustum(Dice& dice, int kind) {
         const V base = dice.position(2), cap = dice.position(2);
         if (glm::length(cap - base) < 1) continue;
         const L r = dice.round_between(0.4, 1.5);
-        if (kind == 0) return {base, r, cap, r};                                   // cylinder
+        if (kind == 0) return {base, r, cap, r};                                          // cylinder
         if (kind == 1) return {base, r, cap, rounded(r * dice.round_between(0.2, 0.7))};  // narrower at the cap
         if (kind == 2) return {base, rounded(r * dice.round_between(0.2, 0.7)), cap, r};  // wider
-        return {base, r, cap, 0};                                                  // to a point
+        return {base, r, cap, 0};                                                         // to a point
     }
 }
 
@@ -61,7 +61,8 @@ void ask_closed(Dice& dice, Notebook& book, const Frustum& f) {
     const L s = dice.between(0.1, 0.8), angle = dice.between(0, 6.28);
     const V n = f.normal(angle);
     const Shot mantle = aim(f.mantle(s, angle), along(dice, -n), dice.between(1, 9), dice.between(0.2, 5));
-    book.ask(nearest_query(mantle), "the mantle from outside, with its outward normal", hits_with_normal(mantle, n, false));
+    book.ask(nearest_query(mantle), "the mantle from outside, with its outward normal",
+             hits_with_normal(mantle, n, false));
     book.root(mantle, "the mantle from outside");
     const V base_point = f.base + dice.between(0.05, 0.95) * f.base_radius * f.out(angle);
     const Shot base = aim(base_point, along(dice, f.axis), dice.between(1, 9));
@@ -97,7 +98,8 @@ void ask_open(Dice& dice, Notebook& book, const Frustum& f) {
         if (glm::dot(d, f.normal(angle)) < 0.15L) continue;
         const Shot shot = aim(goal, d, glm::length(goal - entry) + dice.between(1, 5));
         book.root(shot, "open: in through the base, which is not there");
-        book.ask(nearest_query(shot), "open: the outward normal from within", hits_with_normal(shot, f.normal(angle), false));
+        book.ask(nearest_query(shot), "open: the outward normal from within",
+                 hits_with_normal(shot, f.normal(angle), false));
         ++asked;
     }
     const L inner = 0.5L * std::min(f.base_radius, f.cap_radius);

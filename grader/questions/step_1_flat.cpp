@@ -61,9 +61,7 @@ struct Corners {
 
     V at(L wb, L wc) const { return (1 - wb - wc) * a + wb * b + wc * c; }
     V normal() const { return glm::normalize(glm::cross(b - a, c - a)); }
-    std::string text() const {
-        return fmt::format("triangle {{ {}, {}, {} }}\n", vector(a), vector(b), vector(c));
-    }
+    std::string text() const { return fmt::format("triangle {{ {}, {}, {} }}\n", vector(a), vector(b), vector(c)); }
 };
 
 Corners any_triangle(Dice& dice, int kind) {
@@ -133,7 +131,8 @@ std::vector<Question> boxes_and_discs(std::uint64_t seed) {
     Dice dice(seed);
     Notebook book("1.7");
     for (int axis = 0; axis < 3; ++axis) {
-        const V low = dice.position(2), high = low + rounded(V(dice.round_between(0.5, 2), dice.round_between(0.5, 2), dice.round_between(0.5, 2)));
+        const V low = dice.position(2), high = low + rounded(V(dice.round_between(0.5, 2), dice.round_between(0.5, 2),
+                                                               dice.round_between(0.5, 2)));
         book.objects(fmt::format("box {{ {}, {} }}\n", vector(low), vector(rounded(high))));
         for (const bool at_high : {false, true}) {
             V n(0);
@@ -147,7 +146,8 @@ std::vector<Question> boxes_and_discs(std::uint64_t seed) {
             book.root(shot, "a face from outside");
             book.ask(nearest_query(shot), "its normal points outwards", hits_with_normal(shot, n, false));
             const Shot inside = aim(point, -d, 0.02L);
-            book.ask(nearest_query(inside), "from inside: the exit, and its outward normal", hits_with_normal(inside, n, false));
+            book.ask(nearest_query(inside), "from inside: the exit, and its outward normal",
+                     hits_with_normal(inside, n, false));
             book.root(aim(point, -n, 3), "straight on: two components of the direction are zero");
             book.miss(aim(point, d, -100), "the box lies behind the origin");
             V past = point;
@@ -169,7 +169,8 @@ std::vector<Question> boxes_and_discs(std::uint64_t seed) {
         book.root(aim(center + 0.01L * out, -d, 4), "a disc near its middle, from the other side");
         book.miss(aim(center + 1.02L * radius * out, d, 4), "just outside of the rim");
         book.miss(aim(center + 0.5L * radius * out + 0.1L * unit, out, 4), "parallel to the disc");
-        book.objects(fmt::format("disc {{ {}, {}, {}, {} }}\n", vector(center), vector(n), number(radius), number(hole)));
+        book.objects(
+            fmt::format("disc {{ {}, {}, {}, {} }}\n", vector(center), vector(n), number(radius), number(hole)));
         book.miss(aim(center + 0.97L * hole * out, d, 4), "through the hole");
         book.root(aim(center + 1.03L * hole * out, d, 4), "just outside of the hole");
     }

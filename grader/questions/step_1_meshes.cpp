@@ -19,7 +19,9 @@ struct Solid {
     V normal(std::size_t f) const {
         return glm::normalize(glm::cross(corner(f, 1) - corner(f, 0), corner(f, 2) - corner(f, 0)));
     }
-    V point(std::size_t f, V2 w) const { return (1 - w.x - w.y) * corner(f, 0) + w.x * corner(f, 1) + w.y * corner(f, 2); }
+    V point(std::size_t f, V2 w) const {
+        return (1 - w.x - w.y) * corner(f, 0) + w.x * corner(f, 1) + w.y * corner(f, 2);
+    }
 
     /// `turned` exchanges two corners of every face; `left_out` leaves one face out.
     std::string text(bool turned = false, int left_out = -1, const std::string& modifiers = "") const {
@@ -32,7 +34,8 @@ struct Solid {
             f += turned ? fmt::format(", <{}, {}, {}>", x, z, y) : fmt::format(", <{}, {}, {}>", x, y, z);
             ++count;
         }
-        return fmt::format("mesh2 {{ vertex_vectors {{ {}{} }} face_indices {{ {}{} }} {} }}\n", corners.size(), c, count, f, modifiers);
+        return fmt::format("mesh2 {{ vertex_vectors {{ {}{} }} face_indices {{ {}{} }} {} }}\n", corners.size(), c,
+                           count, f, modifiers);
     }
 };
 
@@ -53,7 +56,8 @@ Solid any_solid(Dice& dice) {
                 std::array<int, 3> face{sx, 2 + sy, 4 + sz};
                 solid.faces.push_back(face);
                 const std::size_t f = solid.faces.size() - 1;
-                if (glm::dot(solid.normal(f), solid.corner(f, 0) - center) < 0) std::swap(solid.faces[f][1], solid.faces[f][2]);
+                if (glm::dot(solid.normal(f), solid.corner(f, 0) - center) < 0)
+                    std::swap(solid.faces[f][1], solid.faces[f][2]);
             }
         }
     }
@@ -109,13 +113,16 @@ std::vector<Question> meshes(std::uint64_t seed) {
         const std::size_t opposite = 7 - face;
         const V far_point = solid.point(opposite, inner_weights(dice));
         const V through = glm::normalize(far_point - point);
-        book.root(aim(far_point, through, glm::length(far_point - point) + 2), "an open mesh: through the gap, the other side from behind");
+        book.root(aim(far_point, through, glm::length(far_point - point) + 2),
+                  "an open mesh: through the gap, the other side from behind");
 
         // The front half cut away: the far faces are seen from behind, although the mesh itself is closed.
         const V cut = rounded(through);
         const L offset = rounded(glm::dot(glm::normalize(cut), (far_point + point) / 2.0L));
-        book.objects(solid.text(false, -1, fmt::format("clipped_by {{ plane {{ {}, {} inverse }} }}", vector(cut), number(offset))));
-        book.root(aim(far_point, through, glm::length(far_point - point) + 2), "a closed mesh, its front clipped away: the far side from behind");
+        book.objects(solid.text(
+            false, -1, fmt::format("clipped_by {{ plane {{ {}, {} inverse }} }}", vector(cut), number(offset))));
+        book.root(aim(far_point, through, glm::length(far_point - point) + 2),
+                  "a closed mesh, its front clipped away: the far side from behind");
     }
     return book.take();
 }

@@ -21,7 +21,8 @@ struct Map {
     /// POV-Ray's matrix: the images of the axes, row by row, then the shift.
     std::string text() const {
         std::string rows;
-        for (int i = 0; i < 3; ++i) rows += fmt::format("{}, {}, {}, ", number(linear[i].x), number(linear[i].y), number(linear[i].z));
+        for (int i = 0; i < 3; ++i)
+            rows += fmt::format("{}, {}, {}, ", number(linear[i].x), number(linear[i].y), number(linear[i].z));
         return fmt::format("matrix <{}{}, {}, {}>", rows, number(shift.x), number(shift.y), number(shift.z));
     }
 };
@@ -42,7 +43,8 @@ V along(Dice& dice, const V& n) {
 }
 
 /// A convex shape in its own space, a point of it and the outward normal there.
-void ask_mapped(Dice& dice, Notebook& book, const std::string& shape, const V& point, const V& normal, const std::string& name) {
+void ask_mapped(Dice& dice, Notebook& book, const std::string& shape, const V& point, const V& normal,
+                const std::string& name) {
     const Map map = any_map(dice);
     book.objects(shape + " " + map.text() + " }\n");
     const V world = map.point(point), n = map.normal(normal);
@@ -69,12 +71,14 @@ std::vector<Question> transforms(std::uint64_t seed) {
     }
     // An ellipsoid by plain words: scaled, then shifted.
     for (int i = 0; i < 2; ++i) {
-        const V scale(dice.round_between(0.5, 1), dice.round_between(1, 2), dice.round_between(2, 3)), shift = dice.position(2);
+        const V scale(dice.round_between(0.5, 1), dice.round_between(1, 2), dice.round_between(2, 3)),
+            shift = dice.position(2);
         const Map map{M(V(scale.x, 0, 0), V(0, scale.y, 0), V(0, 0, scale.z)), shift};
         const V n = dice.unit(), world_normal = map.normal(n);
         book.objects(fmt::format("sphere {{ <0, 0, 0>, 1 scale {} translate {} }}\n", vector(scale), vector(shift)));
         const Shot shot = aim(map.point(n), along(dice, -world_normal), 5, dice.between(0.2, 5));
-        book.ask(nearest_query(shot), "a sphere scaled to an ellipsoid: its normal", hits_with_normal(shot, world_normal, false));
+        book.ask(nearest_query(shot), "a sphere scaled to an ellipsoid: its normal",
+                 hits_with_normal(shot, world_normal, false));
         book.root(shot, "a sphere scaled to an ellipsoid: its root");
     }
     return book.take();
@@ -85,7 +89,8 @@ std::vector<Question> bounds(std::uint64_t seed) {
     Notebook book("1.13");
     book.objects("sphere { <0, 0, 0>, 1 }\n");  // the questions bring their own balls
     const auto ask = [&](const V& center, L radius, const Shot& ray, L t_min, L t_max, bool truth, const char* about) {
-        book.ask(fmt::format("misses {} {} {} {} {}", numbers(center), number(radius), ray.text(), number(t_min), number(t_max)),
+        book.ask(fmt::format("misses {} {} {} {} {}", numbers(center), number(radius), ray.text(), number(t_min),
+                             number(t_max)),
                  about, says(truth));
     };
     for (int i = 0; i < 4; ++i) {
@@ -98,8 +103,10 @@ std::vector<Question> bounds(std::uint64_t seed) {
         ask(c, r, aim(c + 0.98L * r * y, d, reach, speed), 0, kFar, false, "close to its edge, but through it");
         ask(c, r, aim(c + 1.02L * r * y, d, reach, speed), 0, kFar, true, "past its edge");
         ask(c, r, aim(c + 0.3L * r * x, d, -reach, speed), 0, kFar, true, "the ball lies behind the origin");
-        ask(c, r, aim(c + 0.5L * r * x, d, 0.3L * r, speed), 0, kFar, false, "the origin lies in the ball, before its middle");
-        ask(c, r, aim(c + 0.5L * r * x, d, -0.3L * r, speed), 0, kFar, false, "the origin lies in the ball, behind its middle");
+        ask(c, r, aim(c + 0.5L * r * x, d, 0.3L * r, speed), 0, kFar, false,
+            "the origin lies in the ball, before its middle");
+        ask(c, r, aim(c + 0.5L * r * x, d, -0.3L * r, speed), 0, kFar, false,
+            "the origin lies in the ball, behind its middle");
         ask(c, r, at_middle, 0, (reach - 1.1L * r) / speed, true, "the range ends before the ball");
         ask(c, r, at_middle, 0, reach / speed, false, "the range ends in the ball");
         ask(c, r, at_middle, (reach + 1.1L * r) / speed, kFar, true, "the range begins behind the ball");
@@ -114,18 +121,22 @@ void ask_order(Dice& dice, Notebook& book) {
     const V d = dice.unit(), c = dice.position(2);
     const L near_radius = dice.round_between(0.3, 0.8), far_radius = dice.round_between(0.9, 1.5);
     const V near_center = rounded(c), far_center = rounded(c + dice.between(3, 5) * d);
-    const auto ball = [](const V& center, L r) { return fmt::format("sphere {{ {}, {} }}\n", vector(center), number(r)); };
+    const auto ball = [](const V& center, L r) {
+        return fmt::format("sphere {{ {}, {} }}\n", vector(center), number(r));
+    };
     const Shot shot = aim(near_center - near_radius * d, d, 4, dice.between(0.3, 3));
     for (const bool near_first : {true, false}) {
         const std::string scene = near_first ? ball(near_center, near_radius) + ball(far_center, far_radius)
                                              : ball(far_center, far_radius) + ball(near_center, near_radius);
         book.objects(scene);
-        book.ask(nearest_query(shot), near_first ? "two spheres, the near one first in the file" : "two spheres, the near one last in the file",
-                 hits_with_normal(shot, -d, false, near_first ? 0 : 1));
+        book.ask(
+            nearest_query(shot),
+            near_first ? "two spheres, the near one first in the file" : "two spheres, the near one last in the file",
+            hits_with_normal(shot, -d, false, near_first ? 0 : 1));
         Shot behind = shot;
         behind.t = shot.t + glm::dot(far_center - far_radius * d - near_center + near_radius * d, d) / shot.speed();
-        book.ask(nearest_query(shot, shot.t + 2.2L * near_radius / shot.speed()), "the range begins behind the near sphere",
-                 hits_with_normal(behind, -d, false, near_first ? 1 : 0));
+        book.ask(nearest_query(shot, shot.t + 2.2L * near_radius / shot.speed()),
+                 "the range begins behind the near sphere", hits_with_normal(behind, -d, false, near_first ? 1 : 0));
         book.ask(nearest_query(shot, 0, shot.t * 0.99L), "the range ends before all", misses_it());
     }
 }
@@ -176,10 +187,13 @@ void ask_insides(Dice& dice, Notebook& book) {
     const std::string box = "box { <-1, -2, -3>, <1, 2, 3>";
     ask(box + " }\n", V(0.9L, -1.9L, 2.9L), true, "a point in a box");
     ask(box + " }\n", V(0.9L, -2.1L, 2.9L), false, "a point outside of a box by one coordinate");
-    ask("polygon { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <0, 0, 0> }\n", V(0.2L, 0.2L, 0), false, "a flat thing has no inside");
+    ask("polygon { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <0, 0, 0> }\n", V(0.2L, 0.2L, 0), false,
+        "a flat thing has no inside");
     const Map map = any_map(dice);
-    ask("sphere { <0, 0, 0>, 1 " + map.text() + " }\n", map.point(0.9L * d), true, "a sheared sphere: the point in its space");
-    ask("sphere { <0, 0, 0>, 1 " + map.text() + " }\n", map.point(1.1L * d), false, "a sheared sphere: a point outside");
+    ask("sphere { <0, 0, 0>, 1 " + map.text() + " }\n", map.point(0.9L * d), true,
+        "a sheared sphere: the point in its space");
+    ask("sphere { <0, 0, 0>, 1 " + map.text() + " }\n", map.point(1.1L * d), false,
+        "a sheared sphere: a point outside");
 }
 
 }  // namespace

@@ -131,7 +131,8 @@ std::vector<Question> patches(std::uint64_t seed) {
     for (int i = 0; i < 4; ++i) {
         const Net net = any_net(dice, 0.8, false);
         book.objects(text(net));
-        ask_point(dice, book, net, dice.between(0.05, 0.95), dice.between(0.05, 0.95), "an inner point of a wavy patch");
+        ask_point(dice, book, net, dice.between(0.05, 0.95), dice.between(0.05, 0.95),
+                  "an inner point of a wavy patch");
         ask_point(dice, book, net, dice.between(0.005, 0.02), dice.between(0.1, 0.9), "close to the edge u = 0");
         ask_point(dice, book, net, dice.between(0.1, 0.9), dice.between(0.98, 0.995), "close to the edge v = 1");
         ask_point(dice, book, net, 0.99L, 0.01L, "close to a corner");
@@ -145,7 +146,8 @@ std::vector<Question> patches(std::uint64_t seed) {
         const Net net = any_net(dice, 0, true);
         book.objects(text(net));
         for (int k = 0; k < 4; ++k)
-            ask_point(dice, book, net, dice.between(0.02, 0.98), dice.between(0.05, 0.95), "a folded patch: the first of several layers");
+            ask_point(dice, book, net, dice.between(0.02, 0.98), dice.between(0.05, 0.95),
+                      "a folded patch: the first of several layers");
     }
     // Flat and regular: at (u, v) lies corner + u right + v up.
     const V right(3, 0.75L, 0), up(0, 1.5L, 0.375L), corner = dice.position(1);

@@ -64,8 +64,24 @@ std::vector<Drawing> drawings() {
           {{0, 0.7L}, true, "in the upper tip"},
           {{0, -0.6L}, false, "between the lower tips"}}},
         {"a comb, first three points in a line, one point twice",
-         {{{0, 0}, {1, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {5, 1}, {5, 3}, {4, 3}, {4, 1}, {4, 1}, {3, 1}, {3, 3}, {2, 3},
-           {2, 1}, {1, 1}, {1, 3}, {0, 3}}},
+         {{{0, 0},
+           {1, 0},
+           {7, 0},
+           {7, 3},
+           {6, 3},
+           {6, 1},
+           {5, 1},
+           {5, 3},
+           {4, 3},
+           {4, 1},
+           {4, 1},
+           {3, 1},
+           {3, 3},
+           {2, 3},
+           {2, 1},
+           {1, 1},
+           {1, 3},
+           {0, 3}}},
          {{{0.5L, 2}, true, "in the first tooth"},
           {{1.5L, 2}, false, "in the first gap"},
           {{4.5L, 2}, true, "in the third tooth"},
@@ -118,14 +134,18 @@ std::vector<Question> polygons(std::uint64_t seed) {
                 // Straight on in axis planes: then the hit is on a level with corners to the last digit.
                 V d = round == 0 ? paper.normal() : dice.unit();
                 while (std::abs(glm::dot(d, paper.normal())) < 0.3L) d = dice.unit();
-                const Shot shot = aim(paper.at(sample.point), dice.coin() ? d : -d, dice.between(2, 9), dice.between(0.2, 5));
+                const Shot shot =
+                    aim(paper.at(sample.point), dice.coin() ? d : -d, dice.between(2, 9), dice.between(0.2, 5));
                 const std::string about = fmt::format("{}: {}", drawing.name, sample.about);
                 sample.inside ? book.root(shot, about) : book.miss(shot, about);
             }
-            const Sample& first_inside = *std::find_if(drawing.samples.begin(), drawing.samples.end(), [](const Sample& s) { return s.inside; });
+            const Sample& first_inside =
+                *std::find_if(drawing.samples.begin(), drawing.samples.end(), [](const Sample& s) { return s.inside; });
             const Shot shot = aim(paper.at(first_inside.point), dice.coin() ? paper.normal() : -paper.normal(), 3);
-            book.ask(nearest_query(shot), std::string(drawing.name) + ": its normal", hits_with_normal(shot, paper.normal(), true));
-            book.miss(aim(paper.at(first_inside.point), paper.normal(), -3), std::string(drawing.name) + ": behind the origin");
+            book.ask(nearest_query(shot), std::string(drawing.name) + ": its normal",
+                     hits_with_normal(shot, paper.normal(), true));
+            book.miss(aim(paper.at(first_inside.point), paper.normal(), -3),
+                      std::string(drawing.name) + ": behind the origin");
         }
     }
     return book.take();

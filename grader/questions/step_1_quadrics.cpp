@@ -25,11 +25,10 @@ struct Form {
                 2 * square.z * p.z + mixed.y * p.x + mixed.z * p.y + linear.z};
     }
     /// The form at o + t d is f(o) + t slope + t^2 bend; the bend is that of d without linear terms.
-    L bend(const V& d) const {
-        return Form{square, mixed, V(0), 0}(d);
-    }
+    L bend(const V& d) const { return Form{square, mixed, V(0), 0}(d); }
     std::string text() const {
-        return fmt::format("quadric {{ {}, {}, {}, {} }}\n", vector(square), vector(mixed), vector(linear), number(constant));
+        return fmt::format("quadric {{ {}, {}, {}, {} }}\n", vector(square), vector(mixed), vector(linear),
+                           number(constant));
     }
 };
 
@@ -46,17 +45,20 @@ void ask_through(Dice& dice, Notebook& book, const Form& f, const V& point, cons
         if (std::abs(glm::dot(d, n)) < 0.2L) continue;
         Shot shot = aim(point, d, dice.between(1, 6), dice.between(0.3, 3));
         auto other = other_root(f, shot);
-        if (other && (std::abs(*other - shot.t) * shot.speed() < 0.05L || std::abs(*other) * shot.speed() < 0.05L)) continue;
+        if (other && (std::abs(*other - shot.t) * shot.speed() < 0.05L || std::abs(*other) * shot.speed() < 0.05L))
+            continue;
         const bool first = !other || *other < 0 || *other > shot.t;
         if (!first) std::swap(shot.t, *other);
         const bool second_ahead = other && *other > shot.t;
         book.root(shot, name + ": the nearer root ahead");
         const V normal = glm::normalize(f.gradient(shot.at(shot.t)));
-        book.ask(nearest_query(shot), name + ": the normal is along the gradient", hits_with_normal(shot, normal, true));
+        book.ask(nearest_query(shot), name + ": the normal is along the gradient",
+                 hits_with_normal(shot, normal, true));
         if (second_ahead) {
             Shot second = shot;
             second.t = *other;
-            book.ask(root_query(shot, (shot.t + *other) / 2), name + ": the range begins between the roots", hits(second));
+            book.ask(root_query(shot, (shot.t + *other) / 2), name + ": the range begins between the roots",
+                     hits(second));
         } else {
             book.ask(root_query(shot, shot.t + 0.01L), name + ": no root but one ahead", misses_it());
         }

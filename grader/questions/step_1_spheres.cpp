@@ -50,8 +50,8 @@ std::vector<Question> spheres(std::uint64_t seed) {
 
         Shot second = outside;
         second.t += chord / speed;
-        book.ask(root_query(outside, outside.t + 0.3L * chord / speed), "the range begins between the roots: the second counts",
-                 hits(second));
+        book.ask(root_query(outside, outside.t + 0.3L * chord / speed),
+                 "the range begins between the roots: the second counts", hits(second));
         book.ask(root_query(outside, 0, outside.t * 0.9L), "the range ends before the sphere", misses_it());
 
         V x, y;

@@ -25,8 +25,8 @@ struct Plan {
 };
 Sweep carry_out(const Plan& plan, std::uint64_t seed);
 
-std::vector<Plan> sweeps_of_round_shapes();    // spheres, cones, quadrics
-std::vector<Plan> sweeps_of_flat_shapes();     // planes, triangles, polygons, boxes, meshes
-std::vector<Plan> sweeps_of_curved_shapes();   // torus, patch; transforms and bounds
+std::vector<Plan> sweeps_of_round_shapes();   // spheres, cones, quadrics
+std::vector<Plan> sweeps_of_flat_shapes();    // planes, triangles, polygons, boxes, meshes
+std::vector<Plan> sweeps_of_curved_shapes();  // torus, patch; transforms and bounds
 
 }  // namespace rays::grader::step_1

@@ -41,7 +41,8 @@ void grazing_vaults(Notebook& book, Dice& dice, L x) {
     for (int k = 0; k < 16; ++k) {
         const int i = k / 4, j = k % 4;
         const L z = i == 1 || i == 2 ? 4 : 0;  // 3 s^2 t 4 + 3 s t^2 4 = 12 s t
-        points += (k ? ", " : "") + vector(rounded(corner + static_cast<L>(i) * right + static_cast<L>(j) * up + z * height));
+        points +=
+            (k ? ", " : "") + vector(rounded(corner + static_cast<L>(i) * right + static_cast<L>(j) * up + z * height));
     }
     book.objects("bicubic_patch { type 1 flatness 0 u_steps 4 v_steps 4 " + points + " }\n");
     for (int i = 0; i < 6; ++i) {
@@ -66,9 +67,8 @@ void stretched_balls(Notebook& book, Dice& dice, L x) {
         V d = dice.unit();
         while (glm::dot(d, normal) > -0.3L) d = dice.unit();
         const Shot shot = aim(goal, d, 5);
-        book.ask(root_query(shot), "a stretched ball", [=](const Answer& answer) {
-            return hits_at(shot.t, 1, 1e-6L * (1 + factor * 1e-3L))(answer);
-        });
+        book.ask(root_query(shot), "a stretched ball",
+                 [=](const Answer& answer) { return hits_at(shot.t, 1, 1e-6L * (1 + factor * 1e-3L))(answer); });
     }
 }
 
@@ -83,7 +83,8 @@ void far_bounds(Notebook& book, Dice& dice, L distance) {
         for (const auto& [h, truth, about] : {std::tuple(0.999L, false, "through a far ball, close to its edge"),
                                               std::tuple(1.5L, true, "past a far ball, at 1.5 radii")}) {
             const Shot shot = aim(center + h * radius * x, d, std::max(1.6L, distance) * radius);
-            book.ask(fmt::format("misses {} {} {} 0 {}", numbers(center), number(radius), shot.text(), number(kFar)), about, says(truth));
+            book.ask(fmt::format("misses {} {} {} 0 {}", numbers(center), number(radius), shot.text(), number(kFar)),
+                     about, says(truth));
         }
     }
 }
@@ -92,12 +93,42 @@ void far_bounds(Notebook& book, Dice& dice, L distance) {
 
 std::vector<Plan> sweeps_of_curved_shapes() {
     return {
-        {"1.10.tangent", "1.10", "Rays closer and closer to tangents of a torus", "depth below the surface, in tube radii", "distance of the hit from the surface",
-         {-1, -15, 1}, 1e-10, 0.1, grazing_tori},
-        {"1.11.silhouette", "1.11", "Rays closer and closer to the silhouette of a patch", "depth below the ridge, in heights", "error of the hit, in lengths",
-         {-1, -14, 1}, 1e-11, 0.1, grazing_vaults},
-        {"1.12.stretch", "1.12", "A sphere stretched more and more", "longest / shortest axis", "error of the hit, in lengths", {0, 6, 1}, 1, 1e6, stretched_balls},
-        {"1.13.distance", "1.13", "Bounding spheres farther and farther away", "distance / radius", "0: right; infinite: wrong", {0, 8, 1}, 1, 1e7, far_bounds},
+        {"1.10.tangent",
+         "1.10",
+         "Rays closer and closer to tangents of a torus",
+         "depth below the surface, in tube radii",
+         "distance of the hit from the surface",
+         {-1, -15, 1},
+         1e-10,
+         0.1,
+         grazing_tori},
+        {"1.11.silhouette",
+         "1.11",
+         "Rays closer and closer to the silhouette of a patch",
+         "depth below the ridge, in heights",
+         "error of the hit, in lengths",
+         {-1, -14, 1},
+         1e-11,
+         0.1,
+         grazing_vaults},
+        {"1.12.stretch",
+         "1.12",
+         "A sphere stretched more and more",
+         "longest / shortest axis",
+         "error of the hit, in lengths",
+         {0, 6, 1},
+         1,
+         1e6,
+         stretched_balls},
+        {"1.13.distance",
+         "1.13",
+         "Bounding spheres farther and farther away",
+         "distance / radius",
+         "0: right; infinite: wrong",
+         {0, 8, 1},
+         1,
+         1e7,
+         far_bounds},
     };
 }
 

@@ -56,8 +56,23 @@ void polygon_corners(Notebook& book, Dice& dice, L x) {
     };
     std::string points;
     int count = 0;
-    for (const auto [u, v] : std::array<std::array<int, 2>, 17>{{{0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {5, 1}, {5, 3}, {4, 3}, {4, 1},
-                                                                 {3, 1}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}, {0, 0}}}) {
+    for (const auto [u, v] : std::array<std::array<int, 2>, 17>{{{0, 0},
+                                                                 {7, 0},
+                                                                 {7, 3},
+                                                                 {6, 3},
+                                                                 {6, 1},
+                                                                 {5, 1},
+                                                                 {5, 3},
+                                                                 {4, 3},
+                                                                 {4, 1},
+                                                                 {3, 1},
+                                                                 {3, 3},
+                                                                 {2, 3},
+                                                                 {2, 1},
+                                                                 {1, 1},
+                                                                 {1, 3},
+                                                                 {0, 3},
+                                                                 {0, 0}}}) {
         points += ", " + vector(at(u, v));
         ++count;
     }
@@ -79,7 +94,8 @@ void nearly_parallel_to_faces(Notebook& book, Dice& dice, L x) {
     book.objects("box { <-1, -2, -3>, <1, 2, 3> }\n");
     for (int i = 0; i < 4; ++i) {
         const L sign = dice.coin() ? 1 : -1;
-        const Shot shot{rounded(V(-5, dice.between(-1.5, 1.5), dice.between(-2.5, 2.5))), rounded(V(1, sign * x, -sign * x)), 4};
+        const Shot shot{rounded(V(-5, dice.between(-1.5, 1.5), dice.between(-2.5, 2.5))),
+                        rounded(V(1, sign * x, -sign * x)), 4};
         book.root(shot, "nearly parallel to four faces, between them");
         Shot outside = shot;
         outside.origin.y = 2.5L * sign;
@@ -90,10 +106,11 @@ void nearly_parallel_to_faces(Notebook& book, Dice& dice, L x) {
 /// An icosahedron whose numbers are floats: POV-Ray keeps the corners of meshes so.
 std::string closed_mesh(std::vector<V>& corners, std::vector<std::array<int, 3>>& faces) {
     const L g = static_cast<float>((1 + std::sqrt(5.0L)) / 2);
-    corners = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-               {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-    faces = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-             {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+    corners = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+               {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+             {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     std::string c, f;
     for (const V& p : corners) c += ", " + vector(p);
     for (const auto& [i, j, k] : faces) f += fmt::format(", <{}, {}, {}>", i, j, k);
@@ -120,15 +137,51 @@ void leaks(Notebook& book, Dice& dice, L distance) {
 
 std::vector<Plan> sweeps_of_flat_shapes() {
     return {
-        {"1.4.grazing", "1.4", "Rays closer and closer to parallel", "|normal . direction|", "relative error of t", {0, -14, 1}, 1e-9, 1, grazing_planes},
-        {"1.5.edge", "1.5", "Rays closer and closer to an edge of a triangle", "distance from the edge", "error of the hit, in lengths",
-         {-1, -15, 1}, 1e-12, 0.1, triangle_edges},
-        {"1.6.corner", "1.6", "A crossings test closer and closer to corners", "distance from their level", "error of the hit, in lengths",
-         {-1, -15, 1}, 1e-12, 0.1, polygon_corners},
-        {"1.7.parallel", "1.7", "Rays closer and closer to parallel to faces of a box", "small components of the direction", "error of the hit, in lengths",
-         {-1, -301, 20}, 1e-301, 0.1, nearly_parallel_to_faces},
-        {"1.14.leaks", "1.14", "Edges and corners of a closed mesh from farther and farther away", "distance", "error of the hit, in lengths; infinite: slipped through",
-         {1, 7, 1}, 10, 1e6, leaks},
+        {"1.4.grazing",
+         "1.4",
+         "Rays closer and closer to parallel",
+         "|normal . direction|",
+         "relative error of t",
+         {0, -14, 1},
+         1e-9,
+         1,
+         grazing_planes},
+        {"1.5.edge",
+         "1.5",
+         "Rays closer and closer to an edge of a triangle",
+         "distance from the edge",
+         "error of the hit, in lengths",
+         {-1, -15, 1},
+         1e-12,
+         0.1,
+         triangle_edges},
+        {"1.6.corner",
+         "1.6",
+         "A crossings test closer and closer to corners",
+         "distance from their level",
+         "error of the hit, in lengths",
+         {-1, -15, 1},
+         1e-12,
+         0.1,
+         polygon_corners},
+        {"1.7.parallel",
+         "1.7",
+         "Rays closer and closer to parallel to faces of a box",
+         "small components of the direction",
+         "error of the hit, in lengths",
+         {-1, -301, 20},
+         1e-301,
+         0.1,
+         nearly_parallel_to_faces},
+        {"1.14.leaks",
+         "1.14",
+         "Edges and corners of a closed mesh from farther and farther away",
+         "distance",
+         "error of the hit, in lengths; infinite: slipped through",
+         {1, 7, 1},
+         10,
+         1e6,
+         leaks},
     };
 }
 

@@ -9,7 +9,9 @@ namespace rays::grader::step_1 {
 
 namespace {
 
-std::string ball(const V& center, L radius) { return fmt::format("sphere {{ {}, {} }}\n", vector(center), number(radius)); }
+std::string ball(const V& center, L radius) {
+    return fmt::format("sphere {{ {}, {} }}\n", vector(center), number(radius));
+}
 
 /// How far off the surface of a ball, in radii.
 std::function<L(const V&)> off_ball(const V& center, L radius) {
@@ -117,18 +119,60 @@ void closing_necks(Notebook& book, Dice& dice, L eps) {
 
 std::vector<Plan> sweeps_of_round_shapes() {
     return {
-        {"1.3.distance", "1.3", "Spheres farther and farther away", "distance / radius", "distance of the hit from the surface, in radii",
-         {0, 8, 0.5}, 1, 1e8, far_spheres},
-        {"1.3.grazing", "1.3", "Rays closer and closer to the silhouette", "1 - impact parameter / radius", "distance of the hit from the surface, in radii",
-         {-1, -14, 1}, 1e-9, 0.1, grazing_spheres},
-        {"1.3.origin", "1.3", "Origins closer and closer to the surface", "depth of the origin, in radii", "relative error of t",
-         {-1, -14, 1}, 1e-10, 0.1, origin_near_surface},
-        {"1.8.generator", "1.8", "Rays closer and closer to a generator of a cone", "angle from the generator", "error of the hit, in lengths",
-         {-1, -16, 1}, 1e-16, 0.1, cones_along_generators},
-        {"1.9.axis", "1.9", "Rays closer and closer to the axis of a paraboloid", "ten times the tangent of the angle from the axis", "error of the hit, in lengths",
-         {0, -16, 1}, 1e-16, 1, paraboloid_along_axis},
-        {"1.9.neck", "1.9", "A hyperboloid that closes to a cone", "radius of the neck", "error of the hit, in radii of the neck",
-         {-1, -10, 1}, 1e-7, 0.1, closing_necks},
+        {"1.3.distance",
+         "1.3",
+         "Spheres farther and farther away",
+         "distance / radius",
+         "distance of the hit from the surface, in radii",
+         {0, 8, 0.5},
+         1,
+         1e8,
+         far_spheres},
+        {"1.3.grazing",
+         "1.3",
+         "Rays closer and closer to the silhouette",
+         "1 - impact parameter / radius",
+         "distance of the hit from the surface, in radii",
+         {-1, -14, 1},
+         1e-9,
+         0.1,
+         grazing_spheres},
+        {"1.3.origin",
+         "1.3",
+         "Origins closer and closer to the surface",
+         "depth of the origin, in radii",
+         "relative error of t",
+         {-1, -14, 1},
+         1e-10,
+         0.1,
+         origin_near_surface},
+        {"1.8.generator",
+         "1.8",
+         "Rays closer and closer to a generator of a cone",
+         "angle from the generator",
+         "error of the hit, in lengths",
+         {-1, -16, 1},
+         1e-16,
+         0.1,
+         cones_along_generators},
+        {"1.9.axis",
+         "1.9",
+         "Rays closer and closer to the axis of a paraboloid",
+         "ten times the tangent of the angle from the axis",
+         "error of the hit, in lengths",
+         {0, -16, 1},
+         1e-16,
+         1,
+         paraboloid_along_axis},
+        {"1.9.neck",
+         "1.9",
+         "A hyperboloid that closes to a cone",
+         "radius of the neck",
+         "error of the hit, in radii of the neck",
+         {-1, -10, 1},
+         1e-7,
+         0.1,
+         closing_necks},
     };
 }
 

@@ -49,7 +49,8 @@ Shot first_at(Dice& dice, const Ring& ring, V& normal, L reach, bool from_inside
         const L distance = from_inside ? ring.minor * dice.between(0.1, 0.8) : reach;
         const V origin = point - distance * d;
         if ((ring.distance(origin) < 0) != from_inside) continue;
-        if (is_free(ring, origin, d, 0, distance - 0.01L * ring.minor)) return aim(point, d, distance, dice.between(0.2, 5));
+        if (is_free(ring, origin, d, 0, distance - 0.01L * ring.minor))
+            return aim(point, d, distance, dice.between(0.2, 5));
     }
 }
 
@@ -84,7 +85,8 @@ std::vector<Question> tori(std::uint64_t seed) {
         second.t = entry + 2 * major;
         book.ask(root_query(second, entry + edge), "through the middle: the third root", hits(second));
         second.t = entry + 2 * edge;
-        book.ask(root_query(second, entry + 2 * major + ring.minor), "through the middle: the fourth root", hits(second));
+        book.ask(root_query(second, entry + 2 * major + ring.minor), "through the middle: the fourth root",
+                 hits(second));
 
         // Parallel to the axis, close to the outer wall: two roots y = +-sqrt(r^2 - (rho - R)^2) close together.
         for (const L depth : {1e-2L, 1e-4L, 1e-6L}) {
@@ -97,7 +99,8 @@ std::vector<Question> tori(std::uint64_t seed) {
             const V out(std::cos(around), 0, std::sin(around));
             Shot top = aim(major * out + V(0, y, 0), out, 0.7L * major);
             top.t -= std::sqrt((ring.minor - y) * (ring.minor + y));
-            if (top.t > 0) book.root(top, fmt::format("two roots close together at the top: {} tube radii deep", number(depth)));
+            if (top.t > 0)
+                book.root(top, fmt::format("two roots close together at the top: {} tube radii deep", number(depth)));
         }
     }
     return book.take();

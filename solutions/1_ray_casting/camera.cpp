@@ -18,7 +18,7 @@ Vec2 film_point(const Raster& raster, int column, int row, Vec2 offset) {
 
 /// All rays start at the camera and go through their point of the film.
 Ray perspective_ray(const Camera& camera, Vec2 film) {
-    //> 1.1 direction leads to the film's middle; right and up span the whole film, whatever their angle and length.
+    //> 1.1 direction leads to the film's middle; right and up span the whole film, at any angle and length.
     return {camera.location, camera.direction + film.x * camera.right + film.y * camera.up};
     //< 1.1
 }

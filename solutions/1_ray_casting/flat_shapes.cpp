@@ -64,7 +64,7 @@ Vec3 newell_normal(const Polygon& polygon, std::uint32_t begin, std::uint32_t en
     return sum;
 }
 
-/// The contour of the largest area tells the plane best: the sum of all would vanish for a hole as large as its outline.
+/// The contour of the largest area tells the plane best: the sum of all vanishes when a hole is as large as its outline.
 Vec3 polygon_normal(const Polygon& polygon) {
     Vec3 largest(0);
     std::uint32_t begin = 0;
@@ -109,7 +109,7 @@ void prepare(Polygon& polygon) {
 }
 
 std::optional<Root> intersect(const Polygon& polygon, const Ray& ray, Interval range) {
-    //> 1.6 A hit on the plane counts when its projection along the dominant axis is inside an odd number of contours.
+    //> 1.6 A hit on the plane counts when, the dominant axis dropped, it is inside an odd number of contours.
     if (misses(polygon.bound, ray, range)) return std::nullopt;
     const auto root = intersect(polygon.plane, ray, range);
     return root && inside_contours(polygon, ray.at(root->t)) ? root : std::nullopt;

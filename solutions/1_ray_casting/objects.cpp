@@ -120,9 +120,9 @@ bool inside_all(const Scene& scene, const ClipList& clips, const Vec3& point) {
 //< hidden
 
 bool inside(const Scene& scene, const Object& object, const Vec3& point) {
-    //> 1.15 In the shape's own space; `inverse` exchanges inside and outside. POV-Ray says: triangles, polygons, meshes
-    //>   and patches have no inside, inverse or not; that of a disc is the half space behind it; a clip of the object
-    //>   must contain the point as well.
+    //> 1.15 In the shape's own space; `inverse` exchanges inside and outside. POV-Ray says: triangles, polygons,
+    //>   meshes and patches have no inside, inverse or not; that of a disc is the half space behind it; a clip of the
+    //>   object must contain the point as well.
     if (is_flat(object.kind)) return false;
     if (object.clip != kNone && !inside_all(scene, scene.clips[object.clip], point)) return false;
     const Vec3 p = object.transform == kNone ? point : scene.transforms[object.transform].point_to_local(point);
@@ -140,8 +140,8 @@ namespace {
 template <class NextRoot>
 std::optional<Root> first_unclipped(const Scene& scene, const ClipList& clips, const Ray& ray, Interval range,
                                     NextRoot next_root) {
-    //> 1.15 next_root(range) gives the smallest root in a range. When that one is clipped away, ask again behind it.
-    // Every root lies behind the last, so this ends; the limit is for a shape that gives one root many times, ulp by ulp.
+    //> 1.15 next_root(range) gives the smallest root in a range. When it is clipped away, ask again behind it.
+    // Every root lies behind the last, so this ends; the limit is for shapes that give a root again, ulp by ulp.
     for (int i = 0; i < 1000; ++i) {
         const std::optional<Root> root = next_root(range);
         if (!root || inside_all(scene, clips, ray.at(root->t))) return root;
@@ -174,7 +174,8 @@ Hit complete_hit(const Scene& scene, std::uint32_t object_index, const Ray& ray,
     const Vec3 point = transform ? transform->point_to_local(hit.point) : hit.point;
     with_shape(scene, object, [&](const auto& shape) {
         hit.shading_normal = hit.normal = to_world(normal(shape, point, root));
-        if constexpr (requires { shading_normal(shape, root); }) hit.shading_normal = to_world(shading_normal(shape, root));
+        if constexpr (requires { shading_normal(shape, root); })
+            hit.shading_normal = to_world(shading_normal(shape, root));
     });
     return hit;
 }

@@ -73,11 +73,12 @@ struct Range {
     bool has_zero() const { return low <= 0 && high >= 0; }
 };
 
-/// A piece of the patch, [low, high] in (u, v), with the control points of its own.
+/// A piece of the patch, [low, high] in (u, v), with the control points of its own. Without default values: a stack of
+/// them is made for every ray.
 struct Piece {
     Control k;
-    Vec2 low{0}, high{1};
-    Range depth;  ///< z
+    Vec2 low, high;
+    Real nearest;  ///< smallest z of the control points
 
     /// False when the ray certainly passes by: the piece lies in the convex hull of its control points, so in every
     /// strip around them. Two strips along the axes, and two along the piece's own edges ("fat lines": Nishita,
@@ -98,16 +99,17 @@ struct Piece {
 
 /// How a piece stretches: the differences of its control points are those of its derivatives.
 struct Stretch {
-    Real u = 0, v = 0;         ///< the longest, in space: which way to split, when to stop
-    bool has_one_root = false; ///< at most one, and Newton's method finds it from any start in the piece
+    Real u = 0, v = 0;             ///< the longest, in space: which way to split, when to stop
+    bool one_root_at_most = false;
+    bool newton_finds_it = false;  ///< from any start in the piece; so if it finds none, there is none
 };
 
 Real largest(const Vec3& d) { return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}); }
 
-/// Let M be the inverse of the mean Jacobian of (x, y). Where |M J - I| <= 1/4 on the whole piece, (x, y) is one-to-one,
-/// and a Newton step ends nearer to the root by a factor 2 (1/4) / (1 - 1/4) < 1 and soon quadratically. By the convex
-/// hull property it is enough to look at the control points of the derivatives. (In the spirit of Toth, "On Ray Tracing
-/// Parametric Surfaces", SIGGRAPH 1985, who certifies Newton's method by intervals.)
+/// Let M be the inverse of the mean Jacobian of (x, y), and e the largest |M J - I| on the piece. For e < 1, (x, y) is
+/// one-to-one. For e <= 1/4 a Newton step ends nearer to the root by a factor 2 e / (1 - e) < 1, soon quadratically.
+/// By the convex hull property it is enough to look at the control points of the derivatives. (In the spirit of Toth,
+/// "On Ray Tracing Parametric Surfaces", SIGGRAPH 1985, who certifies Newton's method by intervals.)
 Stretch stretch(const Control& k) {
     std::array<Vec3, 12> du, dv;
     Stretch result;
@@ -116,14 +118,16 @@ Stretch stretch(const Control& k) {
         for (std::size_t j = 0; j < 4; ++j, ++n) {
             du[n] = k[4 * (i + 1) + j] - k[4 * i + j];
             dv[n] = k[4 * j + i + 1] - k[4 * j + i];
-            mean_u += du[n] / Real(12);
-            mean_v += dv[n] / Real(12);
+            mean_u += du[n];
+            mean_v += dv[n];
             result.u = std::max(result.u, largest(du[n]));
             result.v = std::max(result.v, largest(dv[n]));
         }
     }
+    mean_u *= Real(1) / 12;
+    mean_v *= Real(1) / 12;
+    // M = [v.y -v.x; -u.y u.x] / det: the rows of M du - (1, 0) and M dv - (0, 1), times det.
     const Real det = mean_u.x * mean_v.y - mean_u.y * mean_v.x;
-    Real first_row = 0, second_row = 0;  // of |M J - I|, as rows of |M du - (1, 0)| and |M dv - (0, 1)|
     Real u1 = 0, u2 = 0, v1 = 0, v2 = 0;
     for (std::size_t n = 0; n < 12; ++n) {
         u1 = std::max(u1, std::abs(mean_v.y * du[n].x - mean_v.x * du[n].y - det));
@@ -131,9 +135,9 @@ Stretch stretch(const Control& k) {
         v1 = std::max(v1, std::abs(mean_v.y * dv[n].x - mean_v.x * dv[n].y));
         v2 = std::max(v2, std::abs(mean_u.x * dv[n].y - mean_u.y * dv[n].x - det));
     }
-    first_row = u1 + v1;
-    second_row = u2 + v2;
-    result.has_one_root = 4 * std::max(first_row, second_row) < std::abs(det);
+    const Real e_det = std::max(u1 + v1, u2 + v2);
+    result.one_root_at_most = e_det < std::abs(det);
+    result.newton_finds_it = 4 * e_det <= std::abs(det) && result.one_root_at_most;
     return result;
 }
 
@@ -184,13 +188,16 @@ public:
         Real z;
     };
     std::optional<Found> nearest() {
-        push(Piece{whole_, Vec2(0), Vec2(1), {}});
+        push(Piece{whole_, Vec2(0), Vec2(1), 0});
         for (int looked_at = 0; count_ > 0 && looked_at < kMostPieces; ++looked_at) {
             const Piece piece = stack_[static_cast<std::size_t>(--count_)];
-            if (!(piece.depth.low < depth_.high)) continue;
+            if (!(piece.nearest < depth_.high)) continue;
             const Stretch size = stretch(piece.k);
-            if (size.has_one_root) {
-                if (const auto uv = newton(whole_, piece)) accept(*uv);
+            const auto root = size.one_root_at_most ? newton(whole_, piece) : std::nullopt;
+            if (root) {
+                accept(*root);
+            } else if (size.newton_finds_it) {
+                continue;
             } else if (std::max(size.u, size.v) <= kPoint * size_) {
                 accept(Real(0.5) * (piece.low + piece.high));  // a silhouette, seen edge-on
             } else {
@@ -208,12 +215,14 @@ private:
         found_ = Found{uv, z};
     }
 
-    void push(Piece piece) {
+    void push(const Piece& piece) {
         if (count_ == static_cast<int>(stack_.size()) || !piece.may_meet_ray()) return;
-        piece.depth = {};
-        for (const Vec3& p : piece.k) piece.depth.include(p.z);
-        if (piece.depth.high > depth_.low && piece.depth.low < depth_.high)
-            stack_[static_cast<std::size_t>(count_++)] = piece;
+        Range z;
+        for (const Vec3& p : piece.k) z.include(p.z);
+        if (!(z.high > depth_.low && z.low < depth_.high)) return;
+        Piece& top = stack_[static_cast<std::size_t>(count_++)];
+        top = piece;
+        top.nearest = z.low;
     }
 
     void push_halves(const Piece& piece, bool along_u) {
@@ -225,7 +234,7 @@ private:
         if (count_ == before + 2) {  // the nearer one on top
             auto& top = stack_[static_cast<std::size_t>(before + 1)];
             auto& below = stack_[static_cast<std::size_t>(before)];
-            if (below.depth.low < top.depth.low) std::swap(top, below);
+            if (below.nearest < top.nearest) std::swap(top, below);
         }
     }
 
@@ -247,8 +256,8 @@ void prepare(BicubicPatch& patch) {
 }
 
 std::optional<Root> intersect(const BicubicPatch& patch, const Ray& ray, Interval range) {
-    //> 1.11 P(u, v) = o + t d, 0 <= u, v <= 1. Two planes through the ray give two equations in u and v for Newton's
-    //>   method; subdivide until it cannot miss: there may be up to 18 roots, and two of them meet at silhouettes.
+    //> 1.11 P(u, v) = o + t d, 0 <= u, v <= 1. Two planes through the ray give two equations in u and v for
+    //>   Newton's method; subdivide until it cannot miss: there may be up to 18 roots, two meet at silhouettes.
     if (misses(patch.bound, ray, range)) return std::nullopt;
     const Real length = glm::length(ray.direction);
     if (!(length > 0 && length < kInfinity)) return std::nullopt;

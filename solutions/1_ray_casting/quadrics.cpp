@@ -27,9 +27,9 @@ Real difference_of_products(Real a, Real b, Real c, Real d) {
     return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
-/// The real roots of a t^2 + 2 b t + c. The two terms of q have the same sign, so nothing cancels, and both roots follow
-/// from it by Vieta's formulas (Press et al., Numerical Recipes, 5.6). As a goes to 0 one root goes to infinity, where
-/// no interval accepts it, and the other to -c / 2b: the linear case needs no branch.
+/// The real roots of a t^2 + 2 b t + c. The two terms of q have the same sign, so nothing cancels, and both roots
+/// follow from it by Vieta's formulas (Press et al., Numerical Recipes, 5.6). As a goes to 0 one root goes to infinity,
+/// where no interval accepts it, and the other to -c / 2b: the linear case needs no branch.
 std::optional<RootPair> quadratic_roots(Real a, Real b, Real c) {
     const Real discriminant = difference_of_products(b, b, a, c);
     if (!(discriminant >= 0)) return std::nullopt;  // NaN comes here as well
@@ -55,7 +55,7 @@ Real nearest_parameter(const Ray& ray, const Vec3& point) {
 //< hidden
 
 std::optional<Root> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
-    //> 1.3 The roots of |o + t d - c|^2 = r^2. Mind far spheres (b^2 - c cancels), origins inside, and d of any length.
+    //> 1.3 The roots of |o + t d - c|^2 = r^2. Mind far spheres (b^2 - c cancels), origins inside, d of any length.
     // Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7:
     // r^2 - |l|^2, l from the centre to the ray, instead of b^2 - |d|^2 c, which loses all digits for far spheres.
     const Vec3 to_center = sphere.center - ray.origin;
@@ -161,9 +161,9 @@ std::optional<Chord> within_the_mantle(const ConeOnRay& cone, Chord chord) {
 //< hidden
 
 std::optional<Root> intersect(const Cone& cone, const Ray& ray, Interval range) {
-    //> 1.8 The mantle |p - its point on the axis| = radius(height), 0 <= height <= 1, and the end discs unless open.
-    //>   Mind rays along a generator (the quadratic term vanishes) and rays through the rim, which must not slip through.
-    // The closed frustum is convex, so the ray is inside of it on one chord, and that is what both slab and mantle leave.
+    //> 1.8 The mantle, |p - its point on the axis| = radius(height), 0 <= height <= 1, and the ends unless open.
+    //>   Mind rays along a generator (the quadratic term vanishes) and rays through the rim: none may slip in.
+    // The closed frustum is convex, so the ray is inside of it on one chord: what both slab and mantle leave of it.
     // Comparing the ends of chords, not points with discs, leaves no gap at the rim (compare Kay, Kajiya 1986).
     const ConeOnRay on_ray(cone, ray);
     const auto slab = between_the_ends(on_ray);

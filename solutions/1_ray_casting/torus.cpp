@@ -81,7 +81,7 @@ public:
     /// method does not need more.
     Value surface(Real u) const {
         const Vec3 p = o_ + u * d_;
-        const Real rho = std::hypot(p.x, p.z);
+        const Real rho = std::sqrt(p.x * p.x + p.z * p.z);
         const Real y2_r2 = (p.y - minor_) * (p.y + minor_);
         const Real inner = (rho - major_) * (rho - major_) + y2_r2;
         const Real outer = (rho + major_) * (rho + major_) + y2_r2;
@@ -121,9 +121,9 @@ private:
 //< hidden
 
 std::optional<Root> intersect(const Torus& torus, const Ray& ray, Interval range) {
-    //> 1.10 The roots of F(p) = (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2). Bracket them: the roots of F'' part the range
-    //>   into pieces where F' is monotone, the roots of F' into pieces where F is. Two roots close together must both
-    //>   be found, and no root must be found twice.
+    //> 1.10 The roots of F(p) = (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2). Bracket them: the roots of F'' part the
+    //>   range into pieces where F' is monotone, the roots of F' into pieces where F is. Two roots close together
+    //>   must both be found, and no root must be found twice.
     if (torus.major == 0) return intersect(Sphere{Vec3(0), torus.minor}, ray, range);  // F is a square: no sign changes
     const Real length = glm::length(ray.direction);
     const Real shift = -dot(ray.origin, ray.direction) / (length * length);

@@ -16,7 +16,7 @@ Vec2 film_point(const Raster& raster, int column, int row, Vec2 offset) {
 
 /// All rays start at the camera and go through their point of the film.
 Ray perspective_ray(const Camera& camera, Vec2 film) {
-    // Task 1.1: direction leads to the film's middle; right and up span the whole film, whatever their angle and length.
+    // Task 1.1: direction leads to the film's middle; right and up span the whole film, at any angle and length.
     unfinished("1.1");
     return {};
 }

@@ -41,7 +41,7 @@ void prepare(Polygon& polygon) {
 }
 
 std::optional<Root> intersect(const Polygon& polygon, const Ray& ray, Interval range) {
-    // Task 1.6: A hit on the plane counts when its projection along the dominant axis is inside an odd number of contours.
+    // Task 1.6: A hit on the plane counts when, the dominant axis dropped, it is inside an odd number of contours.
     unfinished("1.6");
     return {};
 }

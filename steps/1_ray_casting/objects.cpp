@@ -66,9 +66,9 @@ auto with_shape(const Scene& scene, const Object& object, What what) {
 }  // namespace
 
 bool inside(const Scene& scene, const Object& object, const Vec3& point) {
-    // Task 1.15: In the shape's own space; `inverse` exchanges inside and outside. POV-Ray says: triangles, polygons, meshes
-    // and patches have no inside, inverse or not; that of a disc is the half space behind it; a clip of the object
-    // must contain the point as well.
+    // Task 1.15: In the shape's own space; `inverse` exchanges inside and outside. POV-Ray says: triangles, polygons,
+    // meshes and patches have no inside, inverse or not; that of a disc is the half space behind it; a clip of the
+    // object must contain the point as well.
     unfinished("1.15");
     return {};
 }
@@ -79,7 +79,7 @@ namespace {
 template <class NextRoot>
 std::optional<Root> first_unclipped(const Scene& scene, const ClipList& clips, const Ray& ray, Interval range,
                                     NextRoot next_root) {
-    // Task 1.15: next_root(range) gives the smallest root in a range. When that one is clipped away, ask again behind it.
+    // Task 1.15: next_root(range) gives the smallest root in a range. When it is clipped away, ask again behind it.
     unfinished("1.15");
     return {};
 }
@@ -106,7 +106,8 @@ Hit complete_hit(const Scene& scene, std::uint32_t object_index, const Ray& ray,
     const Vec3 point = transform ? transform->point_to_local(hit.point) : hit.point;
     with_shape(scene, object, [&](const auto& shape) {
         hit.shading_normal = hit.normal = to_world(normal(shape, point, root));
-        if constexpr (requires { shading_normal(shape, root); }) hit.shading_normal = to_world(shading_normal(shape, root));
+        if constexpr (requires { shading_normal(shape, root); })
+            hit.shading_normal = to_world(shading_normal(shape, root));
     });
     return hit;
 }

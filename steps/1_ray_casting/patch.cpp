@@ -16,8 +16,8 @@ void prepare(BicubicPatch& patch) {
 }
 
 std::optional<Root> intersect(const BicubicPatch& patch, const Ray& ray, Interval range) {
-    // Task 1.11: P(u, v) = o + t d, 0 <= u, v <= 1. Two planes through the ray give two equations in u and v for Newton's
-    // method; subdivide until it cannot miss: there may be up to 18 roots, and two of them meet at silhouettes.
+    // Task 1.11: P(u, v) = o + t d, 0 <= u, v <= 1. Two planes through the ray give two equations in u and v for
+    // Newton's method; subdivide until it cannot miss: there may be up to 18 roots, two meet at silhouettes.
     unfinished("1.11");
     return {};
 }

@@ -11,7 +11,7 @@ namespace rays {
 using glm::dot;
 
 std::optional<Root> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
-    // Task 1.3: The roots of |o + t d - c|^2 = r^2. Mind far spheres (b^2 - c cancels), origins inside, and d of any length.
+    // Task 1.3: The roots of |o + t d - c|^2 = r^2. Mind far spheres (b^2 - c cancels), origins inside, d of any length.
     unfinished("1.3");
     return {};
 }
@@ -23,8 +23,8 @@ Vec3 normal(const Sphere& sphere, const Vec3& point, const Root&) {
 }
 
 std::optional<Root> intersect(const Cone& cone, const Ray& ray, Interval range) {
-    // Task 1.8: The mantle |p - its point on the axis| = radius(height), 0 <= height <= 1, and the end discs unless open.
-    // Mind rays along a generator (the quadratic term vanishes) and rays through the rim, which must not slip through.
+    // Task 1.8: The mantle, |p - its point on the axis| = radius(height), 0 <= height <= 1, and the ends unless open.
+    // Mind rays along a generator (the quadratic term vanishes) and rays through the rim: none may slip in.
     unfinished("1.8");
     return {};
 }

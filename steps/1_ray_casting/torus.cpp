@@ -11,9 +11,9 @@ namespace rays {
 using glm::dot;
 
 std::optional<Root> intersect(const Torus& torus, const Ray& ray, Interval range) {
-    // Task 1.10: The roots of F(p) = (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2). Bracket them: the roots of F'' part the range
-    // into pieces where F' is monotone, the roots of F' into pieces where F is. Two roots close together must both
-    // be found, and no root must be found twice.
+    // Task 1.10: The roots of F(p) = (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2). Bracket them: the roots of F'' part the
+    // range into pieces where F' is monotone, the roots of F' into pieces where F is. Two roots close together
+    // must both be found, and no root must be found twice.
     unfinished("1.10");
     return {};
 }

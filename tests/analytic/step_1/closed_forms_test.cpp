@@ -64,7 +64,8 @@ int crossings(const Shape& shape, const Ray& ray) {
 TEST(ClosedForms, RaysLeaveClosedSolidsAsOftenAsTheyEnter) {
     test::Aim aim(2);
     const Torus torus{2, Real(0.5)};
-    const Cone frustum{Vec3(0, -1, 0), Real(1.5), Vec3(0, 1, 0), Real(0.5), false}, tip{Vec3(0), 1, Vec3(0, 2, 0), 0, false};
+    const Cone frustum{Vec3(0, -1, 0), Real(1.5), Vec3(0, 1, 0), Real(0.5), false},
+        tip{Vec3(0), 1, Vec3(0, 2, 0), 0, false};
     const Box box{Vec3(-1, -2, -1), Vec3(2, 1, 1)};
     std::array<int, 5> of_torus{};
     for (int i = 0; i < 50'000; ++i) {

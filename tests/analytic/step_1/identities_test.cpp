@@ -39,14 +39,15 @@ TEST(Identities, SphereIsAQuadric) {
     for (int i = 0; i < 50'000; ++i) {
         const Sphere sphere{aim.in_cube(2), aim.uniform(0.2, 2)};
         const Ray ray = aim.through(sphere.center + Real(1.1) * sphere.radius * aim.direction(), aim.uniform(0, 9));
-        // Near the silhouette t is off by the square root of the rounding: leave out impact parameters within 1e-3 of r.
+        // Near the silhouette t is off by the square root of the rounding: leave out impact parameters within 1e-3 of
+        // r.
         const Vec3 oc = sphere.center - ray.origin, d = glm::normalize(ray.direction);
         const Real h = glm::length(oc - glm::dot(oc, d) * d);
         if (std::abs(h - sphere.radius) < Real(1e-3) * sphere.radius) continue;
         const Real to_surface = std::abs(glm::length(oc) - sphere.radius);
         if (to_surface < Real(1e-3)) continue;  // the root at the origin itself may fall on either side of 0
-        expect_same(sphere, sphere_as_quadric(sphere), ray, 4096 * kEpsilon / Real(1e-2), [](auto&) { return false; },
-                    hits);
+        expect_same(
+            sphere, sphere_as_quadric(sphere), ray, 4096 * kEpsilon / Real(1e-2), [](auto&) { return false; }, hits);
     }
     EXPECT_GT(hits, 20'000);
 }
@@ -55,7 +56,8 @@ TEST(Identities, SaddleAsQuadricAndAsPatch) {
     // z = x y over the unit square: bilinear, so its bicubic control points lie on it in a regular grid.
     BicubicPatch patch;
     for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) patch.control[std::size_t(4 * i + j)] = Vec3(i / Real(3), j / Real(3), i * j / Real(9));
+        for (int j = 0; j < 4; ++j)
+            patch.control[std::size_t(4 * i + j)] = Vec3(i / Real(3), j / Real(3), i * j / Real(9));
     prepare(patch);
     Quadric quadric;  // 2 (x y - z) = 0
     quadric.q[0][1] = quadric.q[1][0] = 1;
@@ -113,7 +115,8 @@ TEST(Identities, FlatPatchIsAPolygon) {
         const Vec3 n = glm::normalize(glm::cross(u, v));
         if (std::abs(glm::dot(n, glm::normalize(ray.direction))) < Real(1e-2)) continue;
         const auto near_edge = [&](auto&) {
-            return std::min({std::abs(s), std::abs(1 - s), std::abs(t), std::abs(1 - t)}) < 1000 * std::sqrt(kEpsilon) / 16;
+            return std::min({std::abs(s), std::abs(1 - s), std::abs(t), std::abs(1 - t)}) <
+                   1000 * std::sqrt(kEpsilon) / 16;
         };
         expect_same(patch, polygon, ray, Real(1e6) * kEpsilon, near_edge, hits);
     }
@@ -125,8 +128,8 @@ TEST(Identities, PolygonIsItsTriangulation) {
     const Vec3 o(1, 2, 3), e(Real(0.8), Real(0.6), 0), f(Real(-0.36), Real(0.48), Real(0.8));
     const auto at = [&](double x, double y) { return o + Real(x) * e + Real(y) * f; };
     Polygon polygon;
-    polygon.points = {at(0, 0), at(4, 0), at(4, 2), at(2, 2), at(2, 4), at(0, 4),
-                      at(0.5, 0.5), at(1.5, 0.5), at(1.5, 1.5), at(0.5, 1.5)};
+    polygon.points = {at(0, 0), at(4, 0),     at(4, 2),     at(2, 2),     at(2, 4),
+                      at(0, 4), at(0.5, 0.5), at(1.5, 0.5), at(1.5, 1.5), at(0.5, 1.5)};
     polygon.contour_ends = {6, 10};
     prepare(polygon);
     std::vector<Triangle> triangles;
@@ -177,7 +180,8 @@ TEST(Identities, ThinConeIsACylinderAndBoxIsSixPolygons) {
                 const Real t = (at - ray.origin[axis]) / ray.direction[axis];
                 const Vec3 p = ray.at(t);
                 const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-                const bool on_face = p[j] >= box.min[j] && p[j] <= box.max[j] && p[k] >= box.min[k] && p[k] <= box.max[k];
+                const bool on_face =
+                    p[j] >= box.min[j] && p[j] <= box.max[j] && p[k] >= box.min[k] && p[k] <= box.max[k];
                 if (t > 0 && on_face && (!nearest || t < *nearest)) nearest = t;
             }
         }

@@ -47,12 +47,12 @@ TEST(Watertight, FinerFartherAndAwayFromTheOrigin) {
 }
 
 TEST(Watertight, PatchesWithACommonEdge) {
-    // One bicubic surface as two patches, split by de Casteljau's algorithm in u at 1/2: rays at the seam hit one of them.
+    // One bicubic surface as two patches, split by de Casteljau's algorithm in u at 1/2: rays at the seam hit one of
+    // them.
     BicubicPatch whole, left, right;
     test::Aim aim(5);
     for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            whole.control[std::size_t(4 * i + j)] = Vec3(i, j, 0) + aim.in_cube(0.4);
+        for (int j = 0; j < 4; ++j) whole.control[std::size_t(4 * i + j)] = Vec3(i, j, 0) + aim.in_cube(0.4);
     for (std::size_t j = 0; j < 4; ++j) {
         const Vec3 a = whole.control[j], b = whole.control[4 + j], c = whole.control[8 + j], d = whole.control[12 + j];
         const Vec3 ab = (a + b) / Real(2), bc = (b + c) / Real(2), cd = (c + d) / Real(2);

@@ -11,8 +11,21 @@ namespace {
 
 const std::vector<Real>& awkward_numbers() {
     using Limits = std::numeric_limits<Real>;
-    static const std::vector<Real> numbers{0,  -Real(0),         1,  -1, Real(0.5), Limits::denorm_min(), Limits::min(), Limits::epsilon(), Limits::max(), -Limits::max(),
-                                           kInfinity, -kInfinity, Limits::quiet_NaN(), Real(1e6), Real(-1e18)};
+    static const std::vector<Real> numbers{0,
+                                           -Real(0),
+                                           1,
+                                           -1,
+                                           Real(0.5),
+                                           Limits::denorm_min(),
+                                           Limits::min(),
+                                           Limits::epsilon(),
+                                           Limits::max(),
+                                           -Limits::max(),
+                                           kInfinity,
+                                           -kInfinity,
+                                           Limits::quiet_NaN(),
+                                           Real(1e6),
+                                           Real(-1e18)};
     return numbers;
 }
 

@@ -66,7 +66,8 @@ TEST(Bounds, NeverTooEager) {
         const Real speed = glm::length(ray.direction);
         Real nearest = kInfinity;  // by walking along the range
         for (int k = 0; k <= 400; ++k)
-            nearest = std::min(nearest, glm::distance(ray.at(range.min + (range.max - range.min) * Real(k) / 400), bound.center));
+            nearest = std::min(
+                nearest, glm::distance(ray.at(range.min + (range.max - range.min) * Real(k) / 400), bound.center));
         const Real step = (range.max - range.min) * speed / 400;
         const bool rejects = misses(bound, ray, range);
         rejected += rejects;
@@ -85,7 +86,8 @@ TEST(Bounds, NeverTooEager) {
 Mesh tetrahedron() {
     Mesh mesh;
     mesh.positions = {Vec3(0), X, Y, Z};
-    for (const auto& f : {std::array<std::uint32_t, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) mesh.faces.push_back({f, {}, Mesh::kObjectMaterial, false});
+    for (const auto& f : {std::array<std::uint32_t, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})
+        mesh.faces.push_back({f, {}, Mesh::kObjectMaterial, false});
     return mesh;
 }
 

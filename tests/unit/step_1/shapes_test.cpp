@@ -35,7 +35,8 @@ TEST(Camera, PixelsLieWherePovRayPutsThem) {
     camera.up = Real(3) * Y;
     const Ray corner = camera_ray(camera, {4, 3}, 0, 0);
     EXPECT_EQ(corner.origin, camera.location);
-    EXPECT_NEAR(glm::distance(corner.direction, Vec3(-1.5, 1, 2)), 0, kClose) << "left and up, half a pixel from the edge";
+    EXPECT_NEAR(glm::distance(corner.direction, Vec3(-1.5, 1, 2)), 0, kClose)
+        << "left and up, half a pixel from the edge";
     EXPECT_NEAR(glm::distance(camera_ray(camera, {4, 3}, 3, 2, {0.5, 0.5}).direction, Vec3(2, -1.5, 2)), 0, kClose);
     camera.kind = Camera::Kind::orthographic;
     const Ray parallel = camera_ray(camera, {4, 3}, 0, 0);
@@ -81,12 +82,15 @@ TEST(Triangle, WeightsAndNormals) {
 
 TEST(Polygon, HolesNotchesAndRepeatedPoints) {
     Polygon p;
-    p.points = {Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(2, 4, 0), Vec3(2, 4, 4), Vec3(2, 4, 4), Vec3(2, 2, 1), Vec3(2, 0, 4),
-                Vec3(2, 1, Real(0.2)), Vec3(2, 2, Real(0.2)), Vec3(2, 2, Real(0.8)), Vec3(2, 1, Real(0.8))};
+    p.points = {Vec3(2, 0, 0),         Vec3(2, 2, 0),         Vec3(2, 4, 0),        Vec3(2, 4, 4),
+                Vec3(2, 4, 4),         Vec3(2, 2, 1),         Vec3(2, 0, 4),        Vec3(2, 1, Real(0.2)),
+                Vec3(2, 2, Real(0.2)), Vec3(2, 2, Real(0.8)), Vec3(2, 1, Real(0.8))};
     p.contour_ends = {7, 11};
     prepare(p);
     EXPECT_EQ(std::abs(p.plane.normal.x), 1);
-    const auto at = [&](double y, double z) { return intersect(p, Ray{Vec3(0, Real(y), Real(z)), X}, kAhead).has_value(); };
+    const auto at = [&](double y, double z) {
+        return intersect(p, Ray{Vec3(0, Real(y), Real(z)), X}, kAhead).has_value();
+    };
     EXPECT_TRUE(at(0.5, 0.5));
     EXPECT_TRUE(at(3.9, 3));
     EXPECT_FALSE(at(2, 2)) << "in the notch";
