@@ -64,7 +64,7 @@ Vec3 newell_normal(const Polygon& polygon, std::uint32_t begin, std::uint32_t en
     return sum;
 }
 
-/// The contour of the largest area tells the plane best: the sum of all vanishes when a hole is as large as its outline.
+/// The contour of the largest area tells the plane best; the sum of all vanishes where holes are as large as outlines.
 Vec3 polygon_normal(const Polygon& polygon) {
     Vec3 largest(0);
     std::uint32_t begin = 0;

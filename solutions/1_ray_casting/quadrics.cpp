@@ -55,7 +55,7 @@ Real nearest_parameter(const Ray& ray, const Vec3& point) {
 //< hidden
 
 std::optional<Root> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
-    //> 1.3 The roots of |o + t d - c|^2 = r^2. Mind far spheres (b^2 - c cancels), origins inside, d of any length.
+    //> 1.3 The roots of |o + t d - c|^2 = r^2. Mind far spheres (b^2 - c cancels), origins inside, any |d|.
     // Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7:
     // r^2 - |l|^2, l from the centre to the ray, instead of b^2 - |d|^2 c, which loses all digits for far spheres.
     const Vec3 to_center = sphere.center - ray.origin;

@@ -11,7 +11,7 @@ namespace rays {
 using glm::dot;
 
 std::optional<Root> intersect(const Sphere& sphere, const Ray& ray, Interval range) {
-    // Task 1.3: The roots of |o + t d - c|^2 = r^2. Mind far spheres (b^2 - c cancels), origins inside, d of any length.
+    // Task 1.3: The roots of |o + t d - c|^2 = r^2. Mind far spheres (b^2 - c cancels), origins inside, any |d|.
     unfinished("1.3");
     return {};
 }

@@ -48,6 +48,8 @@ TEST(ClosedForms, ChordsOfASphereDoNotDependOnTheSideTheyAreSeenFrom) {
     }
 }
 
+constexpr Real kPastARoot = Real(1e4) * kEpsilon;
+
 /// How many roots a ray from outside has.
 template <class Shape>
 int crossings(const Shape& shape, const Ray& ray) {
@@ -55,10 +57,22 @@ int crossings(const Shape& shape, const Ray& ray) {
     Interval rest{0, kInfinity};
     while (const auto root = intersect(shape, ray, rest)) {
         ++count;
-        rest.min = root->t * (1 + 8 * kEpsilon);
+        rest.min = root->t * (1 + kPastARoot);
         if (count > 100) break;
     }
     return count;
+}
+
+/// Does the ray meet the torus at less than 1e-2 from a tangent? The place of a root is uncertain by a few eps * 20 /
+/// 1e-2, and `crossings` steps over 1e4 eps; the two roots of a chord lie at least 1e-2 apart.
+bool grazes(const Torus& torus, const Ray& ray) {
+    Interval rest{0, kInfinity};
+    while (const auto root = intersect(torus, ray, rest)) {
+        const Vec3 n = glm::normalize(normal(torus, ray.at(root->t), *root));
+        if (std::abs(glm::dot(n, glm::normalize(ray.direction))) < Real(1e-2)) return true;
+        rest.min = root->t * (1 + kPastARoot);
+    }
+    return false;
 }
 
 TEST(ClosedForms, RaysLeaveClosedSolidsAsOftenAsTheyEnter) {
@@ -73,6 +87,8 @@ TEST(ClosedForms, RaysLeaveClosedSolidsAsOftenAsTheyEnter) {
         EXPECT_EQ(crossings(box, ray) % 2, 0) << "box, ray " << i;
         EXPECT_EQ(crossings(frustum, ray) % 2, 0) << "frustum, ray " << i;
         EXPECT_EQ(crossings(tip, ray) % 2, 0) << "cone, ray " << i;
+        if (grazes(torus, ray))
+            continue;  // two roots as close as their rounding: one may be found again, or both missed
         const int on_torus = crossings(torus, ray);
         ASSERT_LE(on_torus, 4);
         ++of_torus[std::size_t(on_torus)];
