@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rays::sdl {
 
 namespace {
@@ -15,11 +17,11 @@ Placement chain(Placement own, const Placement& outer) {
 }  // namespace
 
 /// Memory that is reserved and never touched costs nothing; growing by doubling would hold three copies of the last
-/// third. From a million elements on the largest number allowed is reserved at once.
+/// third. From a million elements on, all that can still be allowed is reserved at once.
 template <class T>
 std::uint32_t Flattener::append(std::vector<T>& list, T item) {
     in_.hold(sizeof(T));
-    if (list.size() == 1'000'000 && list.capacity() < kMostObjects) list.reserve(kMostObjects);
+    if (list.size() == 1'000'000) list.reserve(std::min(kMostObjects, list.size() + in_.memory_left() / sizeof(T)));
     list.push_back(std::move(item));
     return static_cast<std::uint32_t>(list.size() - 1);
 }

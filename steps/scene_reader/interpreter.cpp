@@ -25,29 +25,30 @@ Interpreter::Interpreter(Sources& sources, const Source& scene, const ReadOption
     }
 }
 
-Token Interpreter::fetch() {
+void Interpreter::fetch() {
+    Token& token = peeked_;
     for (;;) {
         ++tokens_;
         spend(1);
-        Token token = scanner_.scan(names_);
+        scanner_.scan(names_, token);
         switch (token.kind) {
             case Token::Kind::name:
                 resolve(token);
-                if (token.kind != Token::Kind::value) return token;
+                if (token.kind != Token::Kind::value) return;
                 if (const auto* macro = token.value->as<Shared<Macro>>()) {
                     if (hold_ || left_side_) {
                         token.kind = Token::Kind::macro;
-                        return token;
+                        return;
                     }
                     const Shared<Macro> kept = *macro;
-                    call_macro(kept, token.place);
+                    call_macro(kept, Place(token.place));
                     continue;
                 }
-                return token;
+                return;
             case Token::Kind::end:
                 if (files_.empty()) {
                     if (!blocks_.empty()) fail(blocks_.back().opened, "this block never ends; close it with #end");
-                    return token;
+                    return;
                 }
                 end_of_source();
                 continue;
@@ -57,7 +58,7 @@ Token Interpreter::fetch() {
                     return_from_macro();
                     continue;
                 }
-                if (hold_) return token;
+                if (hold_) return;
                 directive();
                 // A declaration looks one token ahead for a further layer or a semicolon.
                 while (has_peeked_) {
@@ -68,11 +69,11 @@ Token Interpreter::fetch() {
                         const Shared<Macro> kept = peeked_.value->shared<Macro>();
                         call_macro(kept, peeked_.place);
                     } else {
-                        return peeked_;
+                        return;
                     }
                 }
                 continue;
-            default: return token;
+            default: return;
         }
     }
 }
@@ -86,7 +87,12 @@ void Interpreter::resolve(Token& token) {
     while (const auto* reference = token.value->as<Reference>()) token.value = reference->target.get();
     if (token.value == time_.slot) time_.used = true;
     if (token.value == wavelength_.slot) wavelength_.used = true;
-    while (token.value->as<std::shared_ptr<Array>>() && scanner_.next_is('[')) subscripts(token);
+    while (token.value->as<std::shared_ptr<Array>>() && scanner_.next_is('[')) {
+        Token element = token;  // the subscripts' tokens take this one's place meanwhile
+        subscripts(element);
+        token = element;
+        has_peeked_ = false;
+    }
 }
 
 void Interpreter::subscripts(Token& token) {

@@ -5,6 +5,7 @@
 // each time round.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -40,7 +41,7 @@ public:
     // ---- tokens ------------------------------------------------------------------------------------------------------
     const Token& peek() {
         if (!has_peeked_) {
-            peeked_ = fetch();
+            fetch();
             has_peeked_ = true;
         }
         return peeked_;
@@ -119,6 +120,8 @@ public:
         if ((budget_.memory -= static_cast<std::int64_t>(bytes)) < 0) out_of_memory();
     }
 
+    std::size_t memory_left() const { return static_cast<std::size_t>(std::max<std::int64_t>(budget_.memory, 0)); }
+
     Sources& sources() { return sources_; }
     double version() const { return version_; }
     /// Was the variable looked at, while it was the predeclared one?
@@ -127,7 +130,7 @@ public:
 
 private:
     // tokens (interpreter.cpp)
-    Token fetch();
+    void fetch();  ///< into peeked_
     Word skip_block(int levels, bool at_else, Place opened);
     void resolve(Token& token);
     void subscripts(Token& token);

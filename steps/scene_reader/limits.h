@@ -15,9 +15,9 @@ inline constexpr std::size_t kMostOpenBlocks = 200;
 /// Include files inside of one another; POV-Ray's own limit is 32.
 inline constexpr std::size_t kDeepestInclude = 32;
 /// Objects after unions are taken apart: 10^7 spheres must pass.
-inline constexpr std::size_t kMostObjects = 10'500'000;
+inline constexpr std::size_t kMostObjects = 10'000'000;
 /// Bytes of what the scene makes (objects, materials, arrays, ...), counted roughly; the process stays under 1 GiB.
-inline constexpr std::int64_t kMostMemory = 850'000'000;
+inline constexpr std::int64_t kMostMemory = 800'000'000;
 /// Elements of one array, corners or faces of one mesh.
 inline constexpr std::size_t kMostElements = 50'000'000;
 inline constexpr std::size_t kMostArrayElements = 5'000'000;
@@ -30,7 +30,7 @@ inline constexpr std::size_t kMostNotes = 100;
 /// read once and objects made buy more.
 inline constexpr std::int64_t kIdleWork = 50'000'000;
 /// Work of all readings after the first (see tabulate.h).
-inline constexpr std::int64_t kWorkAgain = 150'000'000;
+inline constexpr std::int64_t kWorkAgain = 100'000'000;
 inline constexpr std::int64_t kWorkPerByte = 4;
 inline constexpr std::int64_t kWorkPerObject = 400;
 

@@ -34,6 +34,7 @@ namespace {
 /// Escapes as POV-Ray knows them.
 std::string unescaped(std::string_view text) {
     std::string result;
+    result.reserve(text.size());
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] != '\\' || i + 1 == text.size()) {
             result += text[i];

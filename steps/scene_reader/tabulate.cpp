@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <new>
 
 #include "core/error.h"
 #include "scene_reader/scene_numbers.h"
@@ -14,10 +15,10 @@ namespace rays::sdl {
 namespace {
 
 /// A table is fine enough when linear interpolation misses by less than this part of the number's whole range, ...
-constexpr double kTolerance = 1e-5;
+constexpr double kTolerance = 2e-5;
 /// ... or by rounding (of floats, which colours are).
 constexpr double kRounding = 1e-6;
-constexpr int kFinest = 4096;
+constexpr int kFinest = 8192;
 /// Text read again and again, in all, and numbers held at a time.
 constexpr double kMostBytesReadAgain = 1e9;
 constexpr double kMostSamples = 3e7;
@@ -186,7 +187,7 @@ private:
             table.middles.clear();
             if (fine) break;
             const double held = static_cast<double>(table.samples.size()) * static_cast<double>(table.which.size());
-            if (2 * intervals >= kFinest || held > kMostSamples) {
+            if (2 * intervals > kFinest || held > kMostSamples) {
                 fail(fmt::format("some number changes too abruptly with {}, or too many do; let it change smoothly", variable.name));
             }
         }
@@ -341,7 +342,11 @@ void require_finite(const Scene& scene, const Source& text) {
 }
 
 Scene read_and_tabulate(Sources& sources, const Source& text, const ReadOptions& options) {
-    return Tabulator(sources, text, options).run();
+    try {
+        return Tabulator(sources, text, options).run();
+    } catch (const std::bad_alloc&) {
+        throw InputError(fmt::format("{}:1:1: there is not enough memory to read this scene", text.name));
+    }
 }
 
 }  // namespace rays::sdl

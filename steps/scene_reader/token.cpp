@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -12,9 +13,27 @@ namespace rays::sdl {
 
 namespace {
 
-constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+/// What a byte can begin. One table look-up a byte: scanning is most of the work of reading a large scene.
+enum class Class : std::uint8_t { none, blank, digit, letter, symbol, quote, hash };
+
+constexpr std::array<Class, 256> kClasses = [] {
+    std::array<Class, 256> classes{};
+    const auto set = [&classes](std::string_view bytes, Class to) {
+        for (char c : bytes) classes[static_cast<unsigned char>(c)] = to;
+    };
+    set(" \n\t\r", Class::blank);
+    set("0123456789", Class::digit);
+    set("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", Class::letter);
+    set("{}()[]<>,;+-*/=!&|?:.@$%^~`'\\", Class::symbol);
+    set("\"", Class::quote);
+    set("#", Class::hash);
+    return classes;
+}();
+
+Class class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
+bool is_letter(char c) { return class_of(c) == Class::letter; }
+bool is_digit(char c) { return class_of(c) == Class::digit; }
+bool is_blank(char c) { return class_of(c) == Class::blank; }
 
 [[noreturn]] void fail(const Place& place, std::string_view what) {
     throw InputError(fmt::format("{}: {}", to_string(place), what));
@@ -68,43 +87,72 @@ void Scanner::skip_blanks() {
     }
 }
 
-Token Scanner::scan(Names& names) {
-    skip_blanks();
-    Token token;
-    token.place = place();
-    const char c = *at_;
-    if (at_ >= end_) return token;
-    if (is_digit(c) || (c == '.' && is_digit(at_[1]))) {
-        scan_number(token);
-    } else if (is_letter(c)) {
-        scan_name(token, names);
-    } else if (c == '"') {
-        scan_string(token);
-    } else if (c == '#') {
-        ++at_;
-        token.kind = Token::Kind::hash;
-    } else if (std::strchr("{}()[]<>,;+-*/=!&|?:.@$%^~`'\\", c)) {
-        token.kind = Token::Kind::symbol;
-        token.symbol = c;
-        ++at_;
-        if (*at_ == '=' && (c == '<' || c == '>' || c == '!')) {
-            token.symbol = c == '<' ? 'l' : c == '>' ? 'g' : 'n';
-            ++at_;
+void Scanner::scan(Names& names, Token& token) {
+    token.value = nullptr;
+    token.array = nullptr;
+    for (;;) {
+        while (is_blank(*at_)) ++at_;
+        if (*at_ == '/' || *at_ == '\0') skip_blanks();
+        token.place = place();
+        if (at_ >= end_) {
+            token.kind = Token::Kind::end;
+            return;
         }
-    } else {
-        const auto byte = static_cast<unsigned char>(c);
+        const char c = *at_;
+        switch (class_of(c)) {
+            case Class::digit: return scan_number(token);
+            case Class::letter: return scan_name(token, names);
+            case Class::quote: return scan_string(token);
+            case Class::hash:
+                ++at_;
+                token.kind = Token::Kind::hash;
+                return;
+            case Class::symbol:
+                if (c == '.' && is_digit(at_[1])) return scan_number(token);
+                token.kind = Token::Kind::symbol;
+                token.symbol = c;
+                ++at_;
+                if (*at_ == '=' && (c == '<' || c == '>' || c == '!')) {
+                    token.symbol = c == '<' ? 'l' : c == '>' ? 'g' : 'n';
+                    ++at_;
+                }
+                return;
+            default: break;
+        }
         // A byte order mark in front of the text is no character of it.
-        if (at_ == source_->begin() && std::strncmp(at_, "\xEF\xBB\xBF", 3) == 0) {
-            at_ += 3;
-            return scan(names);
+        if (at_ != source_->begin() || std::strncmp(at_, "\xEF\xBB\xBF", 3) != 0) {
+            fail(token.place, fmt::format("byte {:#04x} is no character of the language; is this a text file?",
+                                          static_cast<unsigned char>(c)));
         }
-        fail(token.place, fmt::format("byte {:#04x} is no character of the language; is this a text file?", byte));
+        at_ += 3;
     }
-    return token;
+}
+
+/// Up to 15 digits with a point among them and no exponent: an integer below 2^53 divided by a power of ten that is
+/// exact, too, so the quotient is the nearest double (Clinger 1990).
+bool Scanner::scan_short_number(Token& token) {
+    static constexpr double kTens[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const char* p = at_;
+    std::uint64_t digits = 0;  // what does not fit is not used
+    while (is_digit(*p)) digits = digits * 10 + static_cast<unsigned>(*p++ - '0');
+    std::ptrdiff_t count = p - at_;
+    std::ptrdiff_t after_point = 0;
+    if (*p == '.') {
+        const char* point = p++;
+        while (is_digit(*p) && p - point < 16) digits = digits * 10 + static_cast<unsigned>(*p++ - '0');
+        after_point = p - point - 1;
+        count += after_point;
+    }
+    if (count > 15 || *p == 'e' || *p == 'E' || *p == '.' || is_digit(*p)) return false;
+    token.number = static_cast<double>(digits) / kTens[after_point];
+    token.text = {at_, static_cast<std::size_t>(p - at_)};
+    at_ = p;
+    return true;
 }
 
 void Scanner::scan_number(Token& token) {
     token.kind = Token::Kind::number;
+    if (scan_short_number(token)) return;
     const auto [stop, error] = std::from_chars(at_, end_, token.number);
     if (error == std::errc::result_out_of_range) {
         token.number = std::strtod(std::string(at_, stop).c_str(), nullptr);  // too small is 0

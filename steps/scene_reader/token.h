@@ -50,7 +50,12 @@ public:
     Place place() const { return {source_, at_}; }
 
     /// The next token; a '#' is left to the caller, who sees kind hash. End of text is kind end.
-    Token scan(Names& names);
+    void scan(Names& names, Token& token);
+    Token scan(Names& names) {
+        Token token;
+        scan(names, token);
+        return token;
+    }
     /// True when the next thing but blanks and comments is `c`. Nothing is consumed but blanks.
     bool next_is(char c) {
         skip_blanks();
@@ -69,6 +74,7 @@ public:
 
 private:
     void skip_blanks();
+    bool scan_short_number(Token& token);
     void scan_number(Token& token);
     void scan_string(Token& token);
     void scan_name(Token& token, Names& names);

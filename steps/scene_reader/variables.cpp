@@ -162,7 +162,7 @@ Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool n
         fail(first, fmt::format("'{}' is neither a word of the language nor declared; declare it first", first.text));
     } else if (string_follows()) {
         result.is = string();
-        hold(std::get<std::string>(result.is).size());
+        hold(std::get<std::string>(result.is).capacity());
     } else if (!vector_follows() && color_follows()) {
         hold_ = true;
         result.is = rounded_color(color());

@@ -1,0 +1,3 @@
+#while (1)
+  sphere { 0, 1 }
+#end

@@ -1,0 +1,4 @@
+#macro F(N)
+  F(N + 1)
+#end
+F(0)

@@ -1,0 +1,1 @@
+#declare A = "never closed

@@ -1,0 +1,79 @@
+// Light sources, background, global settings.
+#include "read.h"
+
+namespace rays {
+namespace {
+
+TEST(LightReader, Point) {
+    const Scene scene = scene_of("light_source { <1,2,3> color rgb <1,0.5,0.25> fade_distance 4 fade_power 2 shadowless translate x }");
+    const Light& light = scene.lights[0];
+    EXPECT_EQ(light.kind, Light::Kind::point);
+    EXPECT_TRUE(near(light.location, {2, 2, 3}));
+    EXPECT_EQ(light.color[1], 0.5f);
+    EXPECT_EQ(light.fade_distance, 4);
+    EXPECT_EQ(light.fade_power, 2);
+    EXPECT_TRUE(light.shadowless);
+    EXPECT_TRUE(scene.objects.empty());
+}
+
+TEST(LightReader, SpotAnglesAreRadians) {
+    const Scene scene = scene_of("light_source { 0, 1 spotlight point_at 5*z radius 20 falloff 40 tightness 10 rotate 90*y } light_source { 0, 1 spotlight }");
+    const Light& light = scene.lights[0];
+    EXPECT_EQ(light.kind, Light::Kind::spot);
+    EXPECT_NEAR(light.radius_rad, 20 * kPi / 180, kClose);
+    EXPECT_NEAR(light.falloff_rad, 40 * kPi / 180, kClose);
+    EXPECT_EQ(light.tightness, 10);
+    EXPECT_TRUE(near(light.point_at, {5, 0, 0}));
+    EXPECT_NEAR(scene.lights[1].radius_rad, 30 * kPi / 180, kClose);
+    EXPECT_NEAR(scene.lights[1].falloff_rad, 45 * kPi / 180, kClose);
+    EXPECT_TRUE(near(scene.lights[1].point_at, {0, 0, 1}));
+}
+
+TEST(LightReader, CylinderAndParallel) {
+    const Scene scene = scene_of("light_source { 0, 1 cylinder radius 2 falloff 3 point_at y } light_source { y, 1 parallel point_at 0 }");
+    EXPECT_EQ(scene.lights[0].kind, Light::Kind::cylinder);
+    EXPECT_TRUE(scene.lights[0].parallel);
+    EXPECT_EQ(scene.lights[0].radius_rad, 2);
+    EXPECT_EQ(scene.lights[0].falloff_rad, 3);
+    EXPECT_TRUE(scene.lights[1].parallel);
+    EXPECT_EQ(scene.lights[1].kind, Light::Kind::point);
+}
+
+TEST(LightReader, Area) {
+    const Scene scene = scene_of("light_source { 0, 1 area_light <2,0,0>, <0,0,3>, 4, 5 adaptive 1 jitter circular orient rotate 90*y }");
+    const Light& light = scene.lights[0];
+    EXPECT_TRUE(light.area && light.jitter && light.circular && light.orient);
+    EXPECT_TRUE(near(light.axis_u, {0, 0, -2}));
+    EXPECT_TRUE(near(light.axis_v, {3, 0, 0}));
+    EXPECT_EQ(light.size_u, 4);
+    EXPECT_EQ(light.size_v, 5);
+    EXPECT_EQ(light.adaptive, 1);
+}
+
+TEST(LightReader, LightsInUnionsMoveWithThem) {
+    const Scene scene = scene_of("union { light_source { 0, 1 } sphere { 0, 1 } translate x } #declare L = light_source { y, 1 } light_source { L translate x }");
+    EXPECT_TRUE(near(scene.lights[0].location, {1, 0, 0}));
+    EXPECT_TRUE(near(scene.lights[1].location, {1, 1, 0}));
+}
+
+TEST(LightReader, Nonsense) {
+    EXPECT_TRUE(contains(error_of("light_source { 0, 1 radius 5 }"), "'radius' needs spotlight"));
+    EXPECT_TRUE(contains(error_of("light_source { z, 1 spotlight point_at z }"), "its own location"));
+    EXPECT_TRUE(contains(error_of("light_source { 0, 1 area_light x, y, 0, 1 }"), "between 1 and"));
+}
+
+TEST(SettingsReader, BackgroundAndGlobalSettings) {
+    const Scene scene = scene_of(
+        "global_settings { assumed_gamma 1.0 max_trace_level 7 adc_bailout 0 ambient_light rgb <1,2,3> photons { spacing 0.1 } }\n"
+        "background { rgb <0.1,0.2,0.3> }");
+    EXPECT_EQ(scene.settings.max_trace_level, 7);
+    EXPECT_EQ(scene.settings.adc_bailout, 0);
+    EXPECT_EQ(scene.settings.ambient_light[2], 3);
+    EXPECT_TRUE(scene.settings.photons);
+    EXPECT_EQ(scene.settings.photon_spacing, Real(0.1));
+    EXPECT_EQ(scene.background[1], 0.2f);
+    EXPECT_TRUE(contains(error_of("global_settings { assumed_gamma 2.2 }"), "only assumed_gamma 1"));
+}
+
+}  // namespace
+}  // namespace rays
