@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 const char* const kStyles[] = {"base.css", "layout.css", "checks.css", "pictures.css", "print.css"};
 // In this order: each builds on those before it.
-const char* const kScripts[] = {"dom.js",      "words.js",  "data.js",  "colors.js",  "pixels.js",
-                                "picture.js",  "viewer.js", "chart.js", "trees.js",   "check.js",
+const char* const kScripts[] = {"dom.js",      "words.js",  "data.js",  "colors.js", "pixels.js",
+                                "picture.js",  "viewer.js", "chart.js", "trees.js",  "check.js",
                                 "overview.js", "steps.js",  "theme.js", "main.js"};
 
 std::string read_text(const fs::path& file, const std::string& what_next) {
@@ -88,8 +88,8 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 
 PageParts read_parts(const fs::path& folder) {
     const fs::path packages = folder / "node_modules";
-    const std::string install = "the report's JavaScript packages are not installed: run './rays demo', or 'npm ci' in " +
-                                folder.string();
+    const std::string install =
+        "the report's JavaScript packages are not installed: run './rays demo', or 'npm ci' in " + folder.string();
     const std::string sources = "it belongs to the sources of the report";
     PageParts parts;
     const auto add = [&](std::vector<std::string>& list, const fs::path& file, const std::string& what_next) {
@@ -108,9 +108,8 @@ PageParts read_parts(const fs::path& folder) {
     check_inlinable(style, folder / "page");
     check_inlinable(script, folder / "page");
     parts.html = read_text(folder / "page/template.html", sources);
-    parts.notices = "img-comparison-slider\n\n" +
-                    read_text(folder / "licenses/img-comparison-slider.txt", sources) + "\n\nuPlot\n\n" +
-                    read_text(packages / "uplot/LICENSE", install);
+    parts.notices = "img-comparison-slider\n\n" + read_text(folder / "licenses/img-comparison-slider.txt", sources) +
+                    "\n\nuPlot\n\n" + read_text(packages / "uplot/LICENSE", install);
     return parts;
 }
 

@@ -59,9 +59,8 @@ bool is_explained(const Picture& student, const Exr& reference, const Allowance&
 Bytes marks_of(const Picture& student, const Exr& reference, const Allowance& allowance) {
     const auto beyond = [&](std::size_t i) { return is_beyond(student, reference, allowance, i); };
     Bytes marks = bit_map(student.pixels(), beyond);
-    const Bytes silhouettes = bit_map(student.pixels(), [&](std::size_t i) {
-        return beyond(i) && is_explained(student, reference, allowance, i);
-    });
+    const Bytes silhouettes = bit_map(
+        student.pixels(), [&](std::size_t i) { return beyond(i) && is_explained(student, reference, allowance, i); });
     marks.insert(marks.end(), silhouettes.begin(), silhouettes.end());
     return marks;
 }
@@ -100,8 +99,13 @@ json PictureStore::keep(const Picture& picture, const PixelCode& code, const Byt
     const std::string id = fmt::format("pixels-{}", blobs_.size());
     bytes_ += text.size();
     blobs_.push_back({id, std::move(text)});
-    return {{"id", id},          {"width", picture.width},   {"height", picture.height}, {"mantissa", mantissa},
-            {"color", code.color}, {"gradient", code.gradient}, {"base", nullptr}};
+    return {{"id", id},
+            {"width", picture.width},
+            {"height", picture.height},
+            {"mantissa", mantissa},
+            {"color", code.color},
+            {"gradient", code.gradient},
+            {"base", nullptr}};
 }
 
 json PictureStore::embed_reference(const std::filesystem::path& file, std::size_t room) {
@@ -118,7 +122,8 @@ json PictureStore::embed_reference(const std::filesystem::path& file, std::size_
 json PictureStore::embed_student(const Picture& student, const Exr* reference, const json& reference_blob,
                                  const Allowance& allowance, std::size_t room) {
     const std::string base_id = reference ? reference_blob["id"].get<std::string>() : "";
-    const std::string key = fmt::format("{} {} {} {}", fingerprint(student), base_id, allowance.absolute, allowance.relative);
+    const std::string key =
+        fmt::format("{} {} {} {}", fingerprint(student), base_id, allowance.absolute, allowance.relative);
     const auto known = students_.find(key);
     if (known != students_.end()) return known->second;
     const int base_mantissa = reference ? reference_blob["mantissa"].get<int>() : 0;
@@ -155,8 +160,8 @@ void PictureStore::embed(json& image, std::size_t room) {
                                             allowance_of(image), room_left());
         if (reference && !same_size)
             embedded["notes"].push_back(fmt::format("The student's picture has {} x {} pixels, POV-Ray's {} x {}",
-                                                    student.frame.width, student.frame.height,
-                                                    reference->frame.width, reference->frame.height));
+                                                    student.frame.width, student.frame.height, reference->frame.width,
+                                                    reference->frame.height));
     });
 }
 

@@ -98,9 +98,8 @@ float from_ordinal(std::int32_t ordinal, int mantissa) {
 }
 
 bool exact_with(const Picture& picture, int mantissa) {
-    return std::all_of(picture.rgb.begin(), picture.rgb.end(), [&](float v) {
-        return std::isnan(v) || from_ordinal(ordinal(v, mantissa), mantissa) == v;
-    });
+    return std::all_of(picture.rgb.begin(), picture.rgb.end(),
+                       [&](float v) { return std::isnan(v) || from_ordinal(ordinal(v, mantissa), mantissa) == v; });
 }
 
 PixelCode encode(const Picture& picture, int mantissa, const Picture* base, int base_mantissa) {

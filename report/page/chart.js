@@ -49,7 +49,7 @@ R.chart = (chart, title) => {
         plot.setCursor({left: plot.valToPos(xs[at], "x"), top: plot.height / 3});
         readAt(at);
     });
-    return R.h("figure", {class: "chart"}, R.h("figcaption", {text: R.text(chart.title) || title}), holder, readout, R.chartTable(chart, series, xs));
+    return R.h("figure", {class: "chart"}, R.h("figcaption", {class: R.text(chart.title) === title ? "unseen" : null, text: R.text(chart.title) || title}), holder, readout, R.chartTable(chart, series, xs));
 };
 
 R.chartTable = (chart, series, xs) =>

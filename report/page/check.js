@@ -16,10 +16,11 @@ R.checkArticle = (step, check) => {
         more.append(...R.checkDetails(check).filter(Boolean));
     };
     const button = R.expandButton(check, more, article, build);
-    const words = [R.text(raw.message) && R.h("p", {class: "message", text: R.text(raw.message)}), R.diagnosis(raw)];
-    const shown = [scene && R.printedPair(scene, check.title), views, check.chart && !check.image && R.chart(check.chart, check.title)];
+    const urgent = R.isUrgent(check);
+    const words = [R.text(raw.message) && R.h("p", {class: "message", text: R.text(raw.message)}), urgent && R.diagnosis(raw)];
+    const shown = [scene && R.printedPair(scene, check.title), views, check.shows && R.h("p", {class: "shows", text: check.shows}), check.chart && !check.image && R.chart(check.chart, check.title)];
     // What went wrong is read before it is looked at; what went well is looked at.
-    article.append(...[R.checkHead(step, check, button), ...(good ? [...shown, ...words] : [...words, ...shown]), scene && R.pictureFacts(check.image), more].filter(Boolean));
+    article.append(...[R.checkHead(step, check, button), ...(!urgent ? [...shown, ...words] : [...words, ...shown]), scene && R.pictureFacts(check.image), more].filter(Boolean));
     return article;
 };
 
@@ -33,22 +34,22 @@ R.expandButton = (check, more, article, build) => {
         button.setAttribute("aria-label", `Details of ${check.title}`);
     };
     button.addEventListener("click", () => expand(more.hidden));
-    const good = check.tone === "good";
-    R.expanders.push({expand, isOpen: () => !more.hidden, good});
-    expand(!good);
+    R.expanders.push({expand, urgent: R.isUrgent(check)});
+    expand(R.isUrgent(check));
     return button;
 };
 
 R.checkHead = (step, check, button) => {
     const {raw} = check, task = R.task(step, raw.task);
-    const mode = (m) => (R.text(m) === "isolated" ? "this step alone" : R.text(m));
-    const modes = [raw, ...check.same.map((other) => other.raw)].map((r) => mode(r.mode)).filter(Boolean);
-    const tags = [raw.task && `task ${R.text(raw.task)}${task?.title ? ` · ${R.text(task.title)}` : ""}`, R.text(raw.kind), modes.join(" and ")].filter(Boolean);
+    const taskTitle = task?.title && !check.title.startsWith(R.text(task.title)) ? ` · ${R.text(task.title)}` : "";
+    const tags = [raw.task && `Task ${R.text(raw.task)}${taskTitle}`, R.text(raw.mode) === "all mine" && "with all steps yours"].filter(Boolean);
     return R.h("header", {class: "check-head"}, R.badge(check.verdict, {small: true}),
         R.h("div", {class: "check-name"}, R.h("h4", {id: `${check.anchor}-title`, text: check.title}), R.h("p", {class: "tags"}, ...tags.map((tag) => R.h("span", {text: tag})))),
         R.isNumber(raw.max) && raw.max > 0 && R.h("span", {class: "points"}, R.h("b", {text: R.points(raw.points)}), ` / ${R.points(raw.max)}`), button);
 };
 R.expanders = [];
+/** Unfolded from the start; what is merely not started can wait. */
+R.isUrgent = (check) => check.tone === "bad" || check.tone === "mixed";
 
 R.pictureFacts = (image) => {
     const share = R.isNumber(image.beyond_rounding) && R.isNumber(image.pixels) && image.pixels > 0 ? ` (${R.number(100 * image.beyond_rounding / image.pixels, 2)} %)` : "";
@@ -64,8 +65,9 @@ R.pictureFacts = (image) => {
 R.checkDetails = (check) => {
     const {raw} = check;
     return [
+        !R.isUrgent(check) && R.diagnosis(raw),
         check.chart && check.image && R.chart(check.chart, check.title),
-        R.questions(raw),
+        R.questions(raw, check.tone === "idle"),
         check.image?.trees && R.rayTrees(R.object(check.image.trees)),
         R.reproduce([check, ...check.same]),
     ];
@@ -79,7 +81,7 @@ R.diagnosis = (raw) => {
         R.h("li", {"data-kind": R.text(d.kind)}, R.h("span", {class: "what", text: (names[d.kind] ?? "Note") + (d.mutant ? ` · ${R.text(d.mutant)}` : "")}), R.h("p", {text: R.text(d.text)}))));
 };
 
-R.questions = (raw) => {
+R.questions = (raw, waiting) => {
     const all = R.list(raw.questions).map(R.object);
     if (all.length === 0) return null;
     const failed = all.filter((q) => q.ok !== true), passed = all.filter((q) => q.ok === true);
@@ -90,7 +92,7 @@ R.questions = (raw) => {
     const total = (q, count) => (R.isNumber(count) ? count : q.length);
     const nFailed = total(failed, raw.questions_failed), nPassed = total(passed, raw.questions_passed);
     return R.h("section", {class: "questions"},
-        failed.length > 0 && R.h("h4", {text: `${R.plural(nFailed, "question")} answered wrong` + (nFailed > failed.length ? `, the first ${failed.length} of them` : "")}),
+        failed.length > 0 && R.h("h4", {text: `${R.plural(nFailed, "question")} ${waiting ? "without an answer" : "answered wrong"}` + (nFailed > failed.length ? `, the first ${failed.length} of them` : "")}),
         failed.length > 0 && R.h("ul", {}, ...failed.map(one)),
         passed.length > 0 && R.h("details", {class: "passed"}, R.h("summary", {text: `${R.plural(nPassed, "question")} answered right` + (nPassed > passed.length ? `, ${passed.length} of them as examples` : "")}), R.h("ul", {}, ...passed.map(one))));
 };
@@ -101,5 +103,5 @@ R.reproduce = (checks) => {
     if (rows.length === 0) return null;
     return R.h("section", {class: "reproduce"}, R.h("h4", {text: "See it again"}), ...rows.map((raw) => R.h("div", {},
         R.h("div", {class: "command"}, R.h("code", {text: R.text(raw.reproduce)}), R.copyButton(R.text(raw.reproduce), "Copy the command")),
-        R.h("p", {class: "took", text: [R.text(raw.id), rows.length > 1 && R.text(raw.mode), R.isNumber(raw.seconds) && `took ${R.seconds(raw.seconds)}`].filter(Boolean).join(", ")}))));
+        R.h("p", {class: "took", text: [R.text(raw.id), rows.length > 1 && (R.text(raw.mode) === "isolated" ? "this step alone" : R.text(raw.mode)), R.isNumber(raw.seconds) && `took ${R.seconds(raw.seconds)}`].filter(Boolean).join(", ")}))));
 };

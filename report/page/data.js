@@ -1,6 +1,20 @@
 // The results, and what the page asks of them.
 R.results = R.object(JSON.parse(document.getElementById("results").textContent));
 
+/** Whose pictures stand beside POV-Ray's. */
+R.who = R.object(R.results.submission).from === "solution" ? "Solution" : "Student";
+
+/** 1_ray_casting/one_sphere.pov -> one sphere */
+R.sceneName = (path) => R.text(path).split("/").pop().replace(/\.pov$/, "").replaceAll("_", " ");
+
+/** A picture is called as its scene; what the check calls itself then says what the scene shows. */
+R.names = (check) => {
+    const title = R.text(check.title) || R.text(check.id);
+    const scene = check.kind === "image" ? R.sceneName(R.object(check.image).scene) : "";
+    if (!scene) return {title, shows: ""};
+    return {title: scene[0].toUpperCase() + scene.slice(1), shows: title.toLowerCase() === scene.toLowerCase() ? "" : title};
+};
+
 R.steps = R.list(R.results.steps).map(R.object).map((step, index) => ({
     raw: step,
     anchor: `step-${index}`,
@@ -11,9 +25,10 @@ R.steps = R.list(R.results.steps).map(R.object).map((step, index) => ({
     checks: R.list(step.checks).map(R.object).map((check, number) => ({
         raw: check,
         anchor: `check-${index}-${number}`,
-        title: R.text(check.title) || R.text(check.id),
+        ...R.names(check),
         verdict: R.text(check.verdict),
         tone: R.verdict(check.verdict).tone,
+        fresh: check.kind === "fresh",  // a scene made for this run: the truth is the solution's picture, not POV-Ray's
         image: check.image ? R.object(check.image) : null,
         chart: check.chart ? R.object(check.chart) : null,
         same: [],  // passed checks with the very same picture, shown with this one
@@ -41,15 +56,12 @@ R.task = (step, id) => step.tasks.find((task) => task.id === id);
 
 R.hasBoth = (image) => Boolean(image.embedded?.student && image.embedded?.reference);
 
-/** 1_ray_casting/one_sphere.pov -> one sphere */
-R.sceneName = (path) => R.text(path).split("/").pop().replace(/\.pov$/, "").replaceAll("_", " ");
-
 /** One check a scene for the gallery: the one that went worst. */
 R.gallery = () => {
     const order = {bad: 0, mixed: 1, idle: 2, good: 3};
     const scenes = new Map();
     for (const check of R.checks) {
-        if (!check.image || !(check.image.embedded?.student || check.image.embedded?.reference)) continue;
+        if (!check.image || check.fresh || !(check.image.embedded?.student || check.image.embedded?.reference)) continue;
         const key = R.text(check.image.scene) || check.anchor;
         const known = scenes.get(key);
         if (!known || order[check.tone] < order[known.tone]) scenes.set(key, check);

@@ -26,6 +26,7 @@ R.hero = () => {
             R.h("h1", {text: words, "data-tone": tone}),
             R.h("p", {class: "who"}, R.h("span", {class: "name", text: R.text(submission.name) || "submission"}), from && R.h("span", {text: from}),
                 R.h("span", {text: R.when(results.created)}), R.isNumber(results.seconds) && R.h("span", {text: `graded in ${R.seconds(results.seconds)}`})),
+            results.complete === false && R.h("p", {class: "notice", role: "note", text: "Grading has not finished: this is what is known so far."}),
             R.text(results.message) && R.h("p", {class: "notice", role: "note", text: R.text(results.message)})),
         R.h("div", {class: "hero-steps"}, ...R.steps.map((step) => R.h("a", {href: `#${step.anchor}`, class: "hero-step"},
             R.h("span", {class: "hero-step-name", text: `${step.name} · ${step.title}`}), R.h("span", {class: "points"}, R.h("b", {text: R.points(step.raw.points)}), ` / ${R.points(step.raw.max)}`),
@@ -38,7 +39,7 @@ R.galleryWall = () => {
     const tiles = checks.map((check, index) => {
         const scene = R.pictureScene(check);
         const whose = check.image.embedded.student ? "student" : "reference";
-        const name = R.sceneName(check.image.scene) || check.title;
+        const name = check.title;
         return R.h("li", {"data-state": check.tone === "good" ? "pass" : "open"}, R.h("button", {type: "button", class: "tile", "data-tone": check.tone, "aria-label": `Show ${name}: ${R.verdict(check.verdict).label}`, on: {click: () => R.show(checks, index)}},
             R.frameCanvas(scene, whose, name), R.h("span", {class: "tile-name"}, R.badge(check.verdict, {small: true}), R.h("span", {text: name}), whose === "reference" && R.h("em", {text: "POV-Ray's"}))));
     });
@@ -59,7 +60,7 @@ R.show = (checks, start) => {
         const map = R.hasBoth(check.image) && R.errorMap(scene, check.title);
         const size = {"--ratio": scene.width / scene.height};
         body.replaceChildren(
-            R.h("header", {}, R.badge(check.verdict), R.h("h2", {text: R.sceneName(check.image.scene) || check.title}), R.h("span", {class: "count", text: `${index + 1} / ${checks.length}`})),
+            R.h("header", {}, R.badge(check.verdict), R.h("div", {}, R.h("h2", {text: check.title}), check.shows && R.h("p", {class: "shows", text: check.shows})), R.h("span", {class: "count", text: `${index + 1} / ${checks.length}`})),
             R.h("div", {class: map ? "show-stage two" : "show-stage", style: size},
                 R.h("div", {class: "view-left"}, R.comparison(scene, check.title), R.h("div", {class: "look"}, R.pictureControls(scene), R.inspector(scene))), map || null));
     };
@@ -82,8 +83,8 @@ R.rubric = () => {
     if (rows.length === 0) return null;
     return R.h("section", {class: "panel"}, R.h("h2", {text: "Rubric"}), R.h("div", {class: "scroll"}, R.h("table", {class: "score"},
         R.h("thead", {}, R.h("tr", {}, ...["Row", "Points", "", "Counts"].map((text) => R.h("th", {scope: "col"}, text || R.h("span", {class: "unseen", text: "Share of the points"}))))),
-        R.h("tbody", {}, ...rows.map((row) => R.h("tr", {}, R.h("th", {scope: "row"}, R.text(row.title) || R.text(row.id), row.extra === true && R.h("span", {class: "extra", text: "extra"})),
-            R.h("td", {class: "points"}, R.h("b", {text: R.points(row.points)}), ` / ${R.points(row.max)}`), R.h("td", {class: "bar-cell"}, R.bar(row.points, row.max, R.text(row.title))), R.h("td", {class: "note", text: R.text(row.note)})))))));
+        R.h("tbody", {}, ...rows.map((row) => R.h("tr", {class: row.graded === false ? "ungraded" : null}, R.h("th", {scope: "row"}, R.text(row.title) || R.text(row.id), row.extra === true && R.h("span", {class: "extra", text: "extra"})),
+            R.h("td", {class: "points"}, row.graded === false ? "–" : R.h("b", {text: R.points(row.points)}), ` / ${R.points(row.max)}`), R.h("td", {class: "bar-cell"}, row.graded === false ? null : R.bar(row.points, row.max, R.text(row.title))), R.h("td", {class: "note", text: R.text(row.note)})))))));
 };
 
 R.colophon = () => {

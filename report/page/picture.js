@@ -5,7 +5,7 @@ R.pictureScene = (check) => {
     const listeners = new Set();
     const worst = R.object(image.worst);
     const scene = {
-        image, student: null, reference: null, width: 4, height: 3, exposure: 0, outlines: true,
+        image, other: check.fresh ? "Solution" : "POV-Ray", student: null, reference: null, width: 4, height: 3, exposure: 0, outlines: true,
         x: R.isNumber(worst.x) ? worst.x : null, y: R.isNumber(worst.y) ? worst.y : null,
         tolerance: R.isNumber(image.tolerance) && image.tolerance > 0 ? image.tolerance : 5e-4,
         /** By how much a value may differ from the reference's. */
@@ -88,27 +88,31 @@ R.markers = (scene) => {
     return [worst, here];
 };
 
+/** The slider's handle: dark with a light rim, so that it is seen on any picture. */
+R.handle = () => R.h("span", {slot: "handle", class: "handle", "aria-hidden": "true"},
+    R.svg("svg", {viewBox: "0 0 34 34"}, R.svg("circle", {cx: 17, cy: 17, r: 15}), R.svg("path", {d: "M13 11l-6 6 6 6M21 11l6 6-6 6"})));
+
 /** Both pictures under one slider. Arrow keys, Home and End move it, as does dragging. */
 R.comparison = (scene, title) => {
     const both = R.hasBoth(scene.image);
-    const student = R.frameCanvas(scene, "student", `${title}: the student's picture`);
-    const reference = R.frameCanvas(scene, "reference", `${title}: POV-Ray's picture`);
+    const student = R.frameCanvas(scene, "student", `${title}: the picture to judge`);
+    const reference = R.frameCanvas(scene, "reference", `${title}: the picture of ${scene.other}`);
     const box = R.h("div", {class: "stage", style: {"aspect-ratio": `${scene.width} / ${scene.height}`}});
     if (!both) {
         const only = scene.image.embedded?.reference ? reference : scene.image.embedded?.student ? student : null;
         box.append(only ?? R.h("span", {class: "missing", text: "No picture"}));
-        box.append(R.h("span", {class: "tag right", text: only === reference && only ? "POV-Ray" : only ? "Student" : ""}));
-        if (only !== student) box.append(R.h("span", {class: "tag left missing-tag", text: "No picture by the student"}));
+        box.append(R.h("span", {class: "tag right", text: !only ? "" : only === reference ? scene.other : R.who}));
+        if (only !== student) box.append(R.h("span", {class: "tag left missing-tag", text: "Nothing to compare"}));
         return R.h("div", {class: "compare"}, box);
     }
     student.setAttribute("slot", "first");
     reference.setAttribute("slot", "second");
-    const slider = R.h("img-comparison-slider", {role: "slider", tabindex: "0", "aria-label": `${title}: student's picture on the left, POV-Ray's on the right`,
-        "aria-valuemin": "0", "aria-valuemax": "100", "aria-valuenow": "50", "aria-valuetext": "50 % student", value: "50"}, student, reference);
+    const slider = R.h("img-comparison-slider", {role: "slider", tabindex: "0", "aria-label": `${title}: ${R.who} on the left, ${scene.other} on the right`,
+        "aria-valuemin": "0", "aria-valuemax": "100", "aria-valuenow": "50", "aria-valuetext": `50 % ${R.who}`, value: "50"}, student, reference, R.handle());
     const announce = () => {
         const value = Math.round(slider.value);
         slider.setAttribute("aria-valuenow", value);
-        slider.setAttribute("aria-valuetext", `${value} % student`);
+        slider.setAttribute("aria-valuetext", `${value} % ${R.who}`);
         box.style.setProperty("--split", `${slider.value}%`);
     };
     slider.addEventListener("slide", announce);
@@ -119,7 +123,7 @@ R.comparison = (scene, title) => {
         slider.value = Math.min(100, Math.max(0, to));
         announce();
     });
-    box.append(slider, R.h("span", {class: "tag left", text: "Student"}), R.h("span", {class: "tag right", text: "POV-Ray"}), ...R.markers(scene));
+    box.append(slider, R.h("span", {class: "tag left", text: R.who}), R.h("span", {class: "tag right", text: scene.other}), ...R.markers(scene));
     box.addEventListener("pointermove", (event) => scene.change(R.pixelUnder(scene, event, box)));
     return R.h("div", {class: "compare"}, box);
 };
@@ -129,7 +133,7 @@ R.printedPair = (scene, title) => {
     const box = R.h("div", {class: "printed", "aria-hidden": "true"});
     const figure = (name, ...content) => R.h("figure", {}, ...content, R.h("figcaption", {text: name}));
     addEventListener("beforeprint", () => {
-        const frames = [["student", "Student"], ["reference", "POV-Ray"]].filter(([whose]) => scene.image.embedded?.[whose])
+        const frames = [["student", R.who], ["reference", scene.other]].filter(([whose]) => scene.image.embedded?.[whose])
             .map(([whose, name]) => figure(name, R.frameCanvas(scene, whose, title)));
         const errors = R.hasBoth(scene.image) && [figure("Error, the tolerance in the middle of the scale", R.errorCanvas(scene), R.errorScale(scene))];
         box.append(...frames, ...(errors || []));

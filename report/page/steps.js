@@ -9,12 +9,12 @@ R.taskTable = (step) => {
                 R.h("th", {scope: "row"}, R.h("span", {class: "task-id", text: R.text(task.id)}), R.text(task.title)),
                 R.h("td", {}, R.badge(task.verdict)), R.h("td", {class: "points"}, R.h("b", {text: R.points(task.points)}), ` / ${R.points(task.max)}`),
                 R.h("td", {class: "bar-cell"}, R.bar(task.points, task.max, R.text(task.title))),
-                R.h("td", {class: "where"}, file && R.h("code", {text: file.split("/").pop() + (R.isNumber(task.line) ? `:${task.line}` : ""), title: file}), tone !== "good" && R.text(task.hint) && R.h("p", {class: "hint", text: R.text(task.hint)})));
+                R.h("td", {class: "where"}, file && R.h("code", {text: file.split("/").pop() + (R.isNumber(task.line) && task.line > 0 ? `:${task.line}` : ""), title: file}), (tone === "bad" || tone === "mixed") && R.text(task.hint) && R.h("p", {class: "hint", text: R.text(task.hint)})));
         }))));
 };
 
 R.stepSection = (step) => {
-    const groups = [["Pictures against POV-Ray's", "pictures", (c) => c.image], ["Where the method must hold", "charts", (c) => c.chart && !c.image], ["Questions and fresh scenes", "texts", (c) => !c.image && !c.chart]];
+    const groups = [["Pictures against POV-Ray's", "pictures", (c) => c.image && !c.fresh], ["Where the method must hold", "charts", (c) => c.chart && !c.image], ["Questions and fresh scenes", "texts", (c) => c.fresh || (!c.image && !c.chart)]];
     const section = R.h("section", {class: "step", id: step.anchor, "aria-labelledby": `${step.anchor}-title`},
         R.h("div", {class: "section-head step-head"}, R.h("div", {}, R.h("p", {class: "kicker", text: step.name}), R.h("h2", {id: `${step.anchor}-title`, text: step.title})),
             R.h("div", {class: "step-score"}, R.badge(step.verdict), R.h("span", {class: "points"}, R.h("b", {text: R.points(step.raw.points)}), ` / ${R.points(step.raw.max)}`))),

@@ -38,8 +38,8 @@ R.expandSwitch = () => {
     let open = false;
     const button = R.h("button", {type: "button", class: "quiet", text: "Unfold all", on: {click: () => {
         open = !open;
-        R.expanders.forEach(({expand, good}) => expand(open || !good));
-        button.textContent = open ? "Fold passed ones" : "Unfold all";
+        R.expanders.forEach(({expand, urgent}) => expand(open || urgent));
+        button.textContent = open ? "Fold again" : "Unfold all";
     }}});
     return button;
 };

@@ -55,7 +55,7 @@ R.errorMap = (scene, title) => {
 
 R.toleranceText = (scene) => {
     const fixed = scene.allowed(0), grows = scene.allowed(1) - fixed;
-    return grows > 0 ? `${R.number(fixed, 2)} + ${R.number(grows)} of POV-Ray's value` : R.number(fixed);
+    return grows > 0 ? `${R.number(fixed, 2)} + ${R.number(grows)} of the reference's value` : R.number(fixed);
 };
 
 R.errorScale = (scene) => {
@@ -81,13 +81,13 @@ R.errorLegend = (scene) => {
 
 /** Values of the pixel that is looked at, and its neighbourhood in both pictures. */
 R.inspector = (scene) => {
-    const rows = [["student", "Student"], ["reference", "POV-Ray"], ["difference", "Difference"]].map(([whose, name]) => {
+    const rows = [["student", R.who], ["reference", scene.other], ["difference", "Difference"]].map(([whose, name]) => {
         const cells = [0, 1, 2].map(() => R.h("td"));
         return {whose, cells, row: R.h("tr", {class: whose}, R.h("th", {scope: "row", text: name}), ...cells)};
     });
     const where = R.h("caption", {text: "Point at a picture"});
     const verdict = R.h("p", {class: "pixel-verdict", "aria-live": "polite"});
-    const lenses = ["student", "reference"].map((whose) => ({whose, canvas: R.h("canvas", {class: "lens", width: 9, height: 9, role: "img", "aria-label": `${whose}: 9 by 9 pixels around`})}));
+    const lenses = ["student", "reference"].map((whose) => ({whose, canvas: R.h("canvas", {class: "lens", width: 9, height: 9, role: "img", "aria-label": `${whose === "student" ? R.who : scene.other}: 9 by 9 pixels around`})}));
 
     const valuesAt = (i) => {
         const w = scene.worst;
@@ -116,7 +116,7 @@ R.inspector = (scene) => {
     };
     const judge = (i) => {
         const times = R.pixelError(scene, i);
-        if (scene.student.explained(i)) return ["mixed", "Beyond tolerance, but within POV-Ray's own silhouette here"];
+        if (scene.student.explained(i)) return ["mixed", "Beyond tolerance, but within the silhouette here"];
         if (!scene.student.marked(i)) return ["good", "Within tolerance"];
         return ["bad", Number.isFinite(times) ? `${R.number(times, 2)} × the tolerance` : "Not a finite number"];
     };
@@ -141,7 +141,7 @@ R.inspector = (scene) => {
     show();
     const head = R.h("thead", {}, R.h("tr", {}, R.h("th", {scope: "col"}, R.h("span", {class: "unseen", text: "Picture"})), ...["R", "G", "B"].map((c) => R.h("th", {scope: "col", text: c}))));
     return R.h("div", {class: "inspector"}, R.h("div", {class: "values"}, R.h("table", {class: "pixel"}, where, head, R.h("tbody", {}, ...rows.map((r) => r.row))), verdict),
-        R.h("div", {class: "lenses"}, ...lenses.map(({whose, canvas}) => R.h("figure", {}, canvas, R.h("figcaption", {text: whose === "student" ? "Student" : "POV-Ray"})))));
+        R.h("div", {class: "lenses"}, ...lenses.map(({whose, canvas}) => R.h("figure", {}, canvas, R.h("figcaption", {text: whose === "student" ? R.who : scene.other})))));
 };
 
 R.pictureControls = (scene) => {

@@ -34,7 +34,8 @@ struct Painting {
 
     Color at(double x, double y) const {
         const double u = (x - kWidth / 2.0) / 60, v = (kHeight / 2.0 - y) / 60;
-        const double cx = 0.5 * std::sin(phase), cy = 0.1 * std::cos(2 * phase), radius = 0.55 + 0.12 * std::sin(3 * phase);
+        const double cx = 0.5 * std::sin(phase), cy = 0.1 * std::cos(2 * phase),
+                     radius = 0.55 + 0.12 * std::sin(3 * phase);
         const double dx = (u - cx) / radius, dy = (v - cy) / radius, d2 = dx * dx + dy * dy;
         return d2 <= 1 ? sphere(dx, dy, std::sqrt(1 - d2)) : floor_or_sky(u, v, cx);
     }
@@ -45,7 +46,8 @@ private:
         const double length = std::hypot(lx, ly, lz);
         const double facing = std::max(0.0, (nx * lx + ny * ly + nz * lz) / length);
         const double mirror = std::max(0.0, (2 * facing * nz - lz / length));
-        const Color base = {0.5 + 0.4 * std::cos(phase), 0.45 + 0.3 * std::cos(phase + 2.1), 0.5 + 0.4 * std::cos(phase + 4.2)};
+        const Color base = {0.5 + 0.4 * std::cos(phase), 0.45 + 0.3 * std::cos(phase + 2.1),
+                            0.5 + 0.4 * std::cos(phase + 4.2)};
         return (0.08 + 0.85 * facing) * base + (highlight ? 0.7 * std::pow(mirror, 40) : 0.0) * Color{1, 1, 1};
     }
     Color floor_or_sky(double u, double v, double cx) const {
@@ -128,7 +130,8 @@ int main(int argc, char** argv) {
             const std::string name = "student-" + std::to_string(scene) + "-" + std::to_string(m) + ".exr";
             good &= write(own, OIIO::TypeDesc::FLOAT, folder / name);
             for (const auto& [x, y] : {std::pair{0, 0}, {33, 91}, {80, 60}, {101, 44}, {159, 119}})
-                values[name].push_back({{"x", x}, {"y", y}, {"student", pixel(own, x, y)}, {"reference", pixel(truth, x, y)}});
+                values[name].push_back(
+                    {{"x", x}, {"y", y}, {"student", pixel(own, x, y)}, {"reference", pixel(truth, x, y)}});
         }
     }
     std::mt19937 random(7);

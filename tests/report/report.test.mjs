@@ -319,13 +319,15 @@ test("diagnosis, trees, questions and commands are there", async () => {
 });
 
 test("nothing overflows on a phone", async () => {
-    for (const name of ["good", "wrong", "hostile"])
-        for (const width of [320, 390, 768]) {
-            const {page, close} = await open(name, {width, height: 800});
+    for (const name of ["good", "wrong", "hostile"]) {
+        const {page, close} = await open(name, {width: 768, height: 800});
+        for (const width of [768, 390, 320]) {
+            await page.setViewportSize({width, height: 800});
             const [scroll, inner] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
             assert.ok(scroll <= inner, `${name} at ${width}: ${scroll}`);
-            await close();
         }
+        await close();
+    }
 });
 
 test("on paper both pictures stand beside each other, light, without controls", async () => {
