@@ -160,8 +160,8 @@ Vec3 normal(const Torus& torus, const Vec3& point, const Root&) {
     //> 1.10 From the nearest point of the circle in the middle of the tube.
     const Real rho = std::hypot(point.x, point.z);
     if (!(rho > 0)) return {0, point.y < 0 ? Real(-1) : Real(1), 0};
-    const Real inwards = torus.major / rho;
-    return {point.x - inwards * point.x, point.y, point.z - inwards * point.z};
+    const Vec3 on_circle = torus.major * Vec3(point.x / rho, 0, point.z / rho);
+    return point - on_circle;
     //< 1.10
 }
 
