@@ -43,7 +43,8 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 }
 
 std::string how_it_ended(const Ended& e) {
-    if (e.timed_out) return fmt::format("the program ran out of time ({:.1f} s of processor, {:.1f} s in all)", e.cpu_s, e.wall_s);
+    if (e.timed_out)
+        return fmt::format("the program ran out of time ({:.1f} s of processor, {:.1f} s in all)", e.cpu_s, e.wall_s);
     if (e.flooded) return "the program wrote more text than allowed";
     if (e.signal) return "the program crashed: " + signal_text(e.signal);
     if (e.exit != 0) return fmt::format("the program ended with status {}: {}", e.exit, plain(e.err));
@@ -56,8 +57,8 @@ struct Run {
     bool surplus = false;         ///< more lines than questions
 };
 
-Run run_once(const Sandbox& sandbox, const std::filesystem::path& program, const std::vector<const Question*>& questions,
-             const Limits& limits) {
+Run run_once(const Sandbox& sandbox, const std::filesystem::path& program,
+             const std::vector<const Question*>& questions, const Limits& limits) {
     Run run;
     Job job;
     job.program = program;
@@ -67,7 +68,8 @@ Run run_once(const Sandbox& sandbox, const std::filesystem::path& program, const
     run.ended = sandbox.run(job).ended;
     const auto lines = lines_of(run.ended.out);
     run.surplus = lines.size() > questions.size();
-    for (std::size_t i = 0; i < std::min(lines.size(), questions.size()); ++i) run.answers.push_back(parse_answer(lines[i]));
+    for (std::size_t i = 0; i < std::min(lines.size(), questions.size()); ++i)
+        run.answers.push_back(parse_answer(lines[i]));
     return run;
 }
 
@@ -79,8 +81,10 @@ void ask_one_by_one(const Sandbox& sandbox, const std::filesystem::path& program
     for (std::size_t i = 0; i < questions.size() && losses < kMostLosses; ++i) {
         if (replies.answers[i].kind != Answer::Kind::missing) continue;
         Run run = run_once(sandbox, program, {questions[i]}, limits);
-        if (run.ended.ok() && run.answers.size() == 1 && !run.surplus) replies.answers[i] = run.answers[0];
-        else ++losses;
+        if (run.ended.ok() && run.answers.size() == 1 && !run.surplus)
+            replies.answers[i] = run.answers[0];
+        else
+            ++losses;
     }
 }
 
@@ -91,10 +95,14 @@ Answer parse_answer(std::string_view line) {
     answer.text = std::string(line.substr(0, kLongestLine));
     while (!answer.text.empty() && (answer.text.back() == ' ' || answer.text.back() == '\r')) answer.text.pop_back();
     const std::string_view text = answer.text;
-    if (text == "miss") answer.kind = Answer::Kind::miss;
-    else if (text.starts_with("unfinished ")) answer.kind = Answer::Kind::unfinished;
-    else if (parse_numbers(text.starts_with("hit ") ? text.substr(4) : text, answer.numbers)) answer.kind = Answer::Kind::value;
-    else answer.kind = Answer::Kind::error;
+    if (text == "miss")
+        answer.kind = Answer::Kind::miss;
+    else if (text.starts_with("unfinished "))
+        answer.kind = Answer::Kind::unfinished;
+    else if (parse_numbers(text.starts_with("hit ") ? text.substr(4) : text, answer.numbers))
+        answer.kind = Answer::Kind::value;
+    else
+        answer.kind = Answer::Kind::error;
     if (answer.kind != Answer::Kind::value) answer.numbers.clear();
     return answer;
 }
@@ -124,14 +132,16 @@ Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const 
     }
     if (run.surplus) {
         // No line can be trusted to be the answer to its question.
-        replies.problem = fmt::format("more lines than the {} questions asked: does your code print to standard output?", questions.size());
+        replies.problem = fmt::format(
+            "more lines than the {} questions asked: does your code print to standard output?", questions.size());
         return replies;
     }
     const bool whole = run.ended.ok() && run.answers.size() == questions.size();
     std::copy(run.answers.begin(), run.answers.end(), replies.answers.begin());
     if (whole) return replies;
     replies.problem = how_it_ended(run.ended);
-    if (replies.problem.empty()) replies.problem = fmt::format("{} answers to {} questions", run.answers.size(), questions.size());
+    if (replies.problem.empty())
+        replies.problem = fmt::format("{} answers to {} questions", run.answers.size(), questions.size());
     if (run.ended.ok()) return replies;
     ask_one_by_one(sandbox, program, questions, limits, replies);
     return replies;

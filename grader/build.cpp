@@ -27,9 +27,12 @@ std::vector<std::string> words(const std::string& command) {
     for (std::size_t i = 0; i < command.size(); ++i) {
         const char c = command[i];
         if (quote) {
-            if (c == quote) quote = 0;
-            else if (c == '\\' && quote == '"' && i + 1 < command.size()) word += command[++i];
-            else word += c;
+            if (c == quote)
+                quote = 0;
+            else if (c == '\\' && quote == '"' && i + 1 < command.size())
+                word += command[++i];
+            else
+                word += c;
         } else if (c == '"' || c == '\'') {
             quote = c;
             open = true;
@@ -50,7 +53,9 @@ std::vector<std::string> words(const std::string& command) {
 
 // Link-time optimisation makes a program faster, not different, and costs seconds a link.
 void drop_lto(std::vector<std::string>& command) {
-    std::erase_if(command, [](const std::string& w) { return w.starts_with("-flto") || w == "-ffat-lto-objects" || w == "-fno-fat-lto-objects"; });
+    std::erase_if(command, [](const std::string& w) {
+        return w.starts_with("-flto") || w == "-ffat-lto-objects" || w == "-fno-fat-lto-objects";
+    });
 }
 
 std::string value_of(const std::vector<std::string>& command, const std::string& option) {
@@ -101,19 +106,28 @@ void Builder::read_compile_commands() {
     } catch (const nlohmann::json::exception& e) {
         throw InputError(fmt::format("{}: {}", file.string(), e.what()));
     }
-    if (units_.empty()) throw InputError(file.string() + ": no step's solution is built there; configure again with Ninja");
+    if (units_.empty())
+        throw InputError(file.string() + ": no step's solution is built there; configure again with Ninja");
 }
 
 void Builder::read_link_command() {
-    Command ninja{{project_.setting("CMAKE_MAKE_PROGRAM"), "-C", project_.build.string(), "-t", "commands", "bin/render-solution"}, {}, {}, kCompileLimits, true};
+    Command ninja{{project_.setting("CMAKE_MAKE_PROGRAM"), "-C", project_.build.string(), "-t", "commands",
+                   "bin/render-solution"},
+                  {},
+                  {},
+                  kCompileLimits,
+                  true};
     const Ended ended = run_command(ninja);
-    if (!ended.ok()) throw InputError("the link command of render-solution is not known: build with Ninja. " + plain(ended.problem + ended.err));
+    if (!ended.ok())
+        throw InputError("the link command of render-solution is not known: build with Ninja. " +
+                         plain(ended.problem + ended.err));
     std::string line = ended.out;
     while (!line.empty() && line.back() == '\n') line.pop_back();
     line = line.substr(line.rfind('\n') + 1);
     link_ = words(line);
     // Ninja's form: ": && c++ ... && :"
-    if (link_.size() < 5 || link_[0] != ":" || link_[1] != "&&") throw InputError("not the expected link command: " + plain(line));
+    if (link_.size() < 5 || link_[0] != ":" || link_[1] != "&&")
+        throw InputError("not the expected link command: " + plain(line));
     link_.erase(link_.begin(), link_.begin() + 2);
     link_.resize(static_cast<std::size_t>(std::find(link_.begin(), link_.end(), "&&") - link_.begin()));
     drop_lto(link_);
@@ -130,17 +144,25 @@ std::vector<std::string> Builder::files_of(int step) const {
     return files;
 }
 
-Built Builder::compile(const std::string& file, const fs::path& source, const fs::path& object, const std::string& optimisation) const {
+Built Builder::compile(const std::string& file, const fs::path& source, const fs::path& object,
+                       const std::string& optimisation) const {
     Command command{units_.at(file).compile, {}, project_.build, kCompileLimits, true};
     if (project_.sanitized()) command.limits.memory_mb = 0;
     std::erase_if(command.argv, [](const std::string& w) { return w.starts_with("-O"); });
     const std::string shown = fmt::format("-ffile-prefix-map={}=steps/{}", source.string(), file);
-    for (const std::string& w : {optimisation, shown, std::string("-Wno-unused-parameter"), std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"),
-                                 std::string("-o"), object.string(), std::string("-c"), source.string()})
+    for (const std::string& w :
+         {optimisation, shown, std::string("-Wno-unused-parameter"), std::string("-fdiagnostics-color=never"),
+          std::string("-fmax-errors=5"), std::string("-o"), object.string(), std::string("-c"), source.string()})
         command.argv.push_back(w);
     if (project_.setting("CMAKE_CXX_COMPILER").find("clang") != std::string::npos)
-        std::replace(command.argv.begin(), command.argv.end(), std::string("-fmax-errors=5"), std::string("-ferror-limit=5"));
-    return finish(run_command(command), object);
+        std::replace(command.argv.begin(), command.argv.end(), std::string("-fmax-errors=5"),
+                     std::string("-ferror-limit=5"));
+    Built built = finish(run_command(command), object);
+    // The student knows the file by its name among the steps.
+    const std::string path = source.string(), name = "steps/" + file;
+    for (auto at = built.message.find(path); at != std::string::npos; at = built.message.find(path, at + name.size()))
+        built.message.replace(at, path.size(), name);
+    return built;
 }
 
 Built Builder::link(const std::map<std::string, fs::path>& objects, const fs::path& program) const {

@@ -30,13 +30,16 @@ bool explained_by_surroundings(const Rgb& value, const Rgb& low, const Rgb& high
     return true;
 }
 
-std::string percent(int count, int pixels) { return fmt::format("{} of {} pixels ({:.3g} %)", count, pixels, 100.0 * count / pixels); }
+std::string percent(int count, int pixels) {
+    return fmt::format("{} of {} pixels ({:.3g} %)", count, pixels, 100.0 * count / pixels);
+}
 
 std::string problem_of(const Comparison& c, int allowed) {
     if (c.not_finite > 0) return fmt::format("{} are NaN or infinite", percent(c.not_finite, c.pixels));
     const int unexplained = c.beyond - c.on_silhouettes;
     if (unexplained > 0)
-        return fmt::format("{} differ from the reference by more than its rounding, by up to {:.3g}", percent(unexplained, c.pixels), c.max_error);
+        return fmt::format("{} differ from the reference by more than its rounding, by up to {:.3g}",
+                           percent(unexplained, c.pixels), c.max_error);
     if (c.beyond > allowed)
         return fmt::format("{} on silhouettes differ from the reference; {} may", percent(c.beyond, c.pixels), allowed);
     return {};
@@ -55,7 +58,8 @@ Comparison compare(const RgbImage& picture, const Reference& truth, const Tolera
     result.pixels = width * height;
     if (picture.raster.width != width || picture.raster.height != height) {
         result.beyond = result.pixels;
-        result.problem = fmt::format("the picture is {} x {} pixels, not {} x {}", picture.raster.width, picture.raster.height, width, height);
+        result.problem = fmt::format("the picture is {} x {} pixels, not {} x {}", picture.raster.width,
+                                     picture.raster.height, width, height);
         return result;
     }
     double worst = -1, squares = 0;
@@ -71,7 +75,8 @@ Comparison compare(const RgbImage& picture, const Reference& truth, const Tolera
             }
             double out = excess(value, reference, tolerance);
             const bool is_beyond = !(out <= 1);
-            const bool silhouette = is_beyond && explained_by_surroundings(value, truth.min.at(x, y), truth.max.at(x, y), tolerance);
+            const bool silhouette =
+                is_beyond && explained_by_surroundings(value, truth.min.at(x, y), truth.max.at(x, y), tolerance);
             result.beyond += is_beyond;
             result.on_silhouettes += silhouette;
             result.not_finite += !is_finite;

@@ -27,13 +27,13 @@ inline constexpr double kSilhouetteShare = 0.0005;
 
 struct Comparison {
     bool passed = false;
-    std::string problem;          ///< what is wrong, in a sentence; empty when it passed
+    std::string problem;  ///< what is wrong, in a sentence; empty when it passed
     int pixels = 0;
-    int not_finite = 0;           ///< pixels with a NaN or an infinity
-    int beyond = 0;               ///< pixels beyond the tolerance, those not finite included
-    int on_silhouettes = 0;       ///< those of them that the surroundings explain
-    double max_error = 0;         ///< largest absolute difference, silhouettes left out
-    double rmse = 0;              ///< shown, never judged; over the finite pixels
+    int not_finite = 0;            ///< pixels with a NaN or an infinity
+    int beyond = 0;                ///< pixels beyond the tolerance, those not finite included
+    int on_silhouettes = 0;        ///< those of them that the surroundings explain
+    double max_error = 0;          ///< largest absolute difference, silhouettes left out
+    double rmse = 0;               ///< shown, never judged; over the finite pixels
     int worst_x = 0, worst_y = 0;  ///< the pixel that is farthest out in units of its tolerance, silhouettes last
 };
 

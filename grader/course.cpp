@@ -4,17 +4,23 @@ namespace rays::grader {
 
 std::vector<Question> questions_of(int step, std::uint64_t seed) {
     switch (step) {
-        case 1: return questions_1_ray_casting(seed);
-        case 2: return questions_2_phong(seed);
-        default: return {};
+        case 1:
+            return questions_1_ray_casting(seed);
+        case 2:
+            return questions_2_phong(seed);
+        default:
+            return {};
     }
 }
 
 std::vector<Sweep> sweeps_of(int step, std::uint64_t seed) {
     switch (step) {
-        case 1: return sweeps_1_ray_casting(seed);
-        case 2: return sweeps_2_phong(seed);
-        default: return {};
+        case 1:
+            return sweeps_1_ray_casting(seed);
+        case 2:
+            return sweeps_2_phong(seed);
+        default:
+            return {};
     }
 }
 

@@ -69,9 +69,11 @@ std::string shift_text(int dx, int dy) {
 
 void add_flips(const RgbImage& p, std::vector<Candidate>& list) {
     const int w = p.raster.width - 1, h = p.raster.height - 1;
-    list.push_back({"the picture is mirrored left to right", [&p, w](int x, int y) { return std::optional(p.at(w - x, y)); }});
+    list.push_back(
+        {"the picture is mirrored left to right", [&p, w](int x, int y) { return std::optional(p.at(w - x, y)); }});
     list.push_back({"the picture is upside down", [&p, h](int x, int y) { return std::optional(p.at(x, h - y)); }});
-    list.push_back({"the picture is turned by half a turn", [&p, w, h](int x, int y) { return std::optional(p.at(w - x, h - y)); }});
+    list.push_back({"the picture is turned by half a turn",
+                    [&p, w, h](int x, int y) { return std::optional(p.at(w - x, h - y)); }});
 }
 
 void add_shifts(const RgbImage& p, std::vector<Candidate>& list) {
@@ -86,16 +88,22 @@ double srgb_decode(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0
 
 void add_curves(const RgbImage& p, std::vector<Candidate>& list) {
     list.push_back({"the values are sRGB encoded: colours must stay linear", each_channel(p, srgb_decode)});
-    list.push_back({"the values are gamma encoded (1/2.2): colours must stay linear", each_channel(p, [](double v) { return std::pow(v, 2.2); })});
+    list.push_back({"the values are gamma encoded (1/2.2): colours must stay linear",
+                    each_channel(p, [](double v) { return std::pow(v, 2.2); })});
     list.push_back({"the values were decoded from sRGB once too often", each_channel(p, srgb_encode)});
-    list.push_back({"gamma 2.2 was applied once too often", each_channel(p, [](double v) { return std::pow(v, 1 / 2.2); })});
+    list.push_back(
+        {"gamma 2.2 was applied once too often", each_channel(p, [](double v) { return std::pow(v, 1 / 2.2); })});
 }
 
 void add_channels(const RgbImage& p, std::vector<Candidate>& list) {
-    const struct { const char* text; std::array<std::size_t, 3> from; } orders[] = {
-        {"red and blue are swapped", {2, 1, 0}},   {"red and green are swapped", {1, 0, 2}},
-        {"green and blue are swapped", {0, 2, 1}}, {"the channels are rotated", {1, 2, 0}},
-        {"the channels are rotated", {2, 0, 1}}};
+    const struct {
+        const char* text;
+        std::array<std::size_t, 3> from;
+    } orders[] = {{"red and blue are swapped", {2, 1, 0}},
+                  {"red and green are swapped", {1, 0, 2}},
+                  {"green and blue are swapped", {0, 2, 1}},
+                  {"the channels are rotated", {1, 2, 0}},
+                  {"the channels are rotated", {2, 0, 1}}};
     for (const auto& order : orders) {
         list.push_back({order.text, [&p, from = order.from](int x, int y) {
                             const Rgb& c = p.at(x, y);
@@ -137,8 +145,11 @@ std::optional<std::string> uniform(const RgbImage& p, const Reference& truth) {
 
 }  // namespace
 
-std::optional<std::string> explain_picture(const RgbImage& picture, const Reference& truth, const Tolerance& tolerance) {
-    if (picture.pixels.empty() || picture.raster.width != truth.frame.raster.width || picture.raster.height != truth.frame.raster.height) return {};
+std::optional<std::string> explain_picture(const RgbImage& picture, const Reference& truth,
+                                           const Tolerance& tolerance) {
+    if (picture.pixels.empty() || picture.raster.width != truth.frame.raster.width ||
+        picture.raster.height != truth.frame.raster.height)
+        return {};
     if (auto text = uniform(picture, truth)) return text;
     const double before = share_wrong(moved(picture, 0, 0), truth, tolerance).wrong;
     if (before == 0) return {};

@@ -104,7 +104,8 @@ std::string exr_header_problem(std::string_view bytes, int width, int height) {
         if (*name == "displayWindow") display = window(*value);
         if (*name == "channels") {
             channels = true;
-            if (const std::string problem = channel_problem(*value); !problem.empty()) return "is no picture of ours: " + problem;
+            if (const std::string problem = channel_problem(*value); !problem.empty())
+                return "is no picture of ours: " + problem;
         }
     }
     return "has a broken OpenEXR header";

@@ -60,8 +60,8 @@ Likeness likeness(const Fingerprint& student, const Fingerprint& mutant) {
         common += found != student.end() && same(parse_answer(found->second), parse_answer(answer));
     }
     const auto all = static_cast<double>(student.size() + mutant.size()) - common;
-    return {double(common) / double(std::max<std::size_t>(1, mutant.size())), double(common) / double(std::max<std::size_t>(1, student.size())),
-            common / std::max(1.0, all)};
+    return {double(common) / double(std::max<std::size_t>(1, mutant.size())),
+            double(common) / double(std::max<std::size_t>(1, student.size())), common / std::max(1.0, all)};
 }
 
 ordered_json json_of(const ChartSeries& s) {
@@ -72,7 +72,8 @@ ordered_json json_of(const ChartSeries& s) {
 
 ChartSeries series_of(const ordered_json& j) {
     ChartSeries s{j.at("name"), "naive", {}};
-    for (const auto& p : j.at("points")) s.points.emplace_back(p.at(0), p.at(1).is_null() ? std::nullopt : std::optional<double>(p.at(1)));
+    for (const auto& p : j.at("points"))
+        s.points.emplace_back(p.at(0), p.at(1).is_null() ? std::nullopt : std::optional<double>(p.at(1)));
     return s;
 }
 
@@ -93,7 +94,8 @@ std::string questions_hash(const std::vector<Question>& questions) {
 Fingerprint fingerprint(const std::vector<Answer>& answers, const std::vector<Answer>& solution) {
     Fingerprint result;
     for (std::size_t i = 0; i < std::min(answers.size(), solution.size()); ++i)
-        if (comparable(answers[i]) && !same(answers[i], solution[i])) result[static_cast<int>(i)] = shortened(answers[i]);
+        if (comparable(answers[i]) && !same(answers[i], solution[i]))
+            result[static_cast<int>(i)] = shortened(answers[i]);
     return result;
 }
 
@@ -110,7 +112,8 @@ std::optional<KnownMutant> nearest_mutant(const Fingerprint& student, const std:
             second = l;
         }
     }
-    const bool good = best && best_likeness.own >= kOwnShare && best_likeness.theirs >= kTheirShare && best_likeness.both > second.both + kUnique;
+    const bool good = best && best_likeness.own >= kOwnShare && best_likeness.theirs >= kTheirShare &&
+                      best_likeness.both > second.both + kUnique;
     return good ? std::optional(*best) : std::nullopt;
 }
 
@@ -124,7 +127,8 @@ Fingerprints read_fingerprints(const std::filesystem::path& file) {
             step.questions = j.at("questions");
             for (const auto& m : j.at("mutants")) {
                 KnownMutant known{m.at("id"), m.at("task"), m.at("title"), m.at("seen"), {}};
-                for (const auto& [question, answer] : m.at("answers").items()) known.fingerprint[std::stoi(question)] = answer;
+                for (const auto& [question, answer] : m.at("answers").items())
+                    known.fingerprint[std::stoi(question)] = answer;
                 step.mutants.push_back(std::move(known));
             }
             for (const auto& [sweep, list] : j.at("naive").items())
@@ -143,7 +147,8 @@ void write_fingerprints(const Fingerprints& fingerprints, const std::filesystem:
         for (const KnownMutant& m : step.mutants) {
             ordered_json answers = ordered_json::object();
             for (const auto& [question, answer] : m.fingerprint) answers[std::to_string(question)] = answer;
-            mutants.push_back({{"id", m.id}, {"task", m.task}, {"title", m.title}, {"seen", m.seen}, {"answers", answers}});
+            mutants.push_back(
+                {{"id", m.id}, {"task", m.task}, {"title", m.title}, {"seen", m.seen}, {"answers", answers}});
         }
         for (const auto& [sweep, list] : step.naive)
             for (const ChartSeries& s : list) naive[sweep].push_back(json_of(s));

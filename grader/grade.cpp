@@ -63,8 +63,11 @@ std::uint64_t fresh_seed() {
 
 Results describe(const Project& project, const GradeOptions& options, const Limits& limits, const Sandbox& sandbox) {
     Results r;
-    r.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
-    r.submission_name = options.submission ? plain(fs::absolute(*options.submission).lexically_normal().filename().string()) : "working copy";
+    r.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                            fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+    r.submission_name = options.submission
+                            ? plain(fs::absolute(*options.submission).lexically_normal().filename().string())
+                            : "working copy";
     r.submission_from = options.submission ? "submission" : options.from;
     r.cpu = value_in("/proc/cpuinfo", "model name");
     r.os = value_in("/etc/os-release", "PRETTY_NAME");
@@ -86,9 +89,11 @@ std::vector<Step> wanted_steps(const std::vector<Step>& all, const std::vector<i
     std::vector<Step> wanted;
     for (const int n : numbers)
         if (std::none_of(all.begin(), all.end(), [&](const Step& s) { return s.number == n; }))
-            throw InputError(fmt::format("there is no step {} yet; built are the folders of steps/ with a step.json", n));
+            throw InputError(
+                fmt::format("there is no step {} yet; built are the folders of steps/ with a step.json", n));
     for (const Step& s : all)
-        if (numbers.empty() || std::find(numbers.begin(), numbers.end(), s.number) != numbers.end()) wanted.push_back(s);
+        if (numbers.empty() || std::find(numbers.begin(), numbers.end(), s.number) != numbers.end())
+            wanted.push_back(s);
     return wanted;
 }
 
@@ -116,15 +121,18 @@ void add_report(const fs::path& out) {
 void look_for_infrastructure_errors(Results& results) {
     for (const StepResult& s : results.steps)
         for (const Check& c : s.checks)
-            if (c.verdict == Verdict::infrastructure_error && results.infrastructure_error.empty()) results.infrastructure_error = c.id + ": " + c.message;
+            if (c.verdict == Verdict::infrastructure_error && results.infrastructure_error.empty())
+                results.infrastructure_error = c.id + ": " + c.message;
 }
 
 }  // namespace
 
 Results grade(const Project& project, const GradeOptions& options) {
     const auto begin = Clock::now();
-    if (options.from != "student" && options.from != "solution") throw InputError("--from " + options.from + ": need student or solution");
-    if (options.submission && !fs::is_directory(*options.submission)) throw InputError(options.submission->string() + ": no such folder");
+    if (options.from != "student" && options.from != "solution")
+        throw InputError("--from " + options.from + ": need student or solution");
+    if (options.submission && !fs::is_directory(*options.submission))
+        throw InputError(options.submission->string() + ": no such folder");
     const auto all_steps = read_steps(project.steps());
     const auto steps = wanted_steps(all_steps, options.steps);
     const Rubric rubric = read_rubric(project.root / "grader" / "rubric.json");
@@ -144,18 +152,22 @@ Results grade(const Project& project, const GradeOptions& options) {
     };
     save(false);
     const TemporaryFolder objects;
-    const fs::path submission = options.submission ? fs::absolute(*options.submission) : project.root / (options.from == "solution" ? "solutions" : "steps");
+    const fs::path submission = options.submission
+                                    ? fs::absolute(*options.submission)
+                                    : project.root / (options.from == "solution" ? "solutions" : "steps");
     const int workers = std::max(1, results.cores);
-    const StudentPrograms programs = options.from == "solution" && !options.submission
-                                         ? solution_as_student(project, all_steps)
-                                         : build_student(Builder(project), project, all_steps, submission, objects.path(), workers);
+    const StudentPrograms programs =
+        options.from == "solution" && !options.submission
+            ? solution_as_student(project, all_steps)
+            : build_student(Builder(project), project, all_steps, submission, objects.path(), workers);
     results.infrastructure_error = programs.infrastructure_error;
     if (!fs::exists(project.program("render-solution"))) results.infrastructure_error = "render-solution is not built";
     for (const Step& step : steps) {
         if (!results.infrastructure_error.empty()) break;
         const bool built = programs.isolated.count(step.number) != 0;
         const auto known = fingerprints.steps.find(step.number);
-        StepOrder order{{project, *sandbox, step, project.program("render-solution"), built ? programs.isolated.at(step.number) : fs::path(), out, results.seed, limits},
+        StepOrder order{{project, *sandbox, step, project.program("render-solution"),
+                         built ? programs.isolated.at(step.number) : fs::path(), out, results.seed, limits},
                         programs.all_mine,
                         built ? std::string() : programs.build_errors.at(step.number),
                         submission,

@@ -21,10 +21,12 @@ using CheckMaker = std::function<std::vector<Check>()>;
 
 bool wrong(const Check& c) { return c.verdict == Verdict::fail || c.verdict == Verdict::partial; }
 
-std::vector<CheckMaker> task_checks(const StepOrder& order, const Task& task, const std::vector<Question>& questions, const std::vector<Sweep>& sweeps) {
+std::vector<CheckMaker> task_checks(const StepOrder& order, const Task& task, const std::vector<Question>& questions,
+                                    const std::vector<Sweep>& sweeps) {
     const auto is_its = [&](const auto& x) { return x.task == task.id; };
     const bool unit = std::any_of(questions.begin(), questions.end(), is_its), fresh = has_fresh_scenes(task.id);
-    const Shares shares = shares_of(task.points, unit, fresh, static_cast<std::size_t>(std::count_if(sweeps.begin(), sweeps.end(), is_its)));
+    const Shares shares = shares_of(task.points, unit, fresh,
+                                    static_cast<std::size_t>(std::count_if(sweeps.begin(), sweeps.end(), is_its)));
     const Bench& bench = order.bench;
     std::vector<CheckMaker> makers;
     if (unit) makers.push_back([&, shares] { return std::vector{unit_check(bench, task, questions, shares.unit)}; });
@@ -34,7 +36,8 @@ std::vector<CheckMaker> task_checks(const StepOrder& order, const Task& task, co
         makers.push_back([&, shares] {
             static const std::vector<ChartSeries> none;
             const bool known = order.fingerprints && order.fingerprints->naive.count(sweep.id);
-            return std::vector{sweep_check(bench, sweep, known ? order.fingerprints->naive.at(sweep.id) : none, shares.each_sweep)};
+            return std::vector{
+                sweep_check(bench, sweep, known ? order.fingerprints->naive.at(sweep.id) : none, shares.each_sweep)};
         });
     }
     return makers;
@@ -57,7 +60,8 @@ std::vector<Check> picture_checks(const StepOrder& order, const SceneTask& scene
         return checks;
     }
     checks.push_back(all_mine_check(order.bench, scene, order.all_mine));
-    if (wrong(checks.back())) checks.back().message += "; with the solution's other steps it is right: another step of yours plays a part";
+    if (wrong(checks.back()))
+        checks.back().message += "; with the solution's other steps it is right: another step of yours plays a part";
     return checks;
 }
 
@@ -79,7 +83,8 @@ std::vector<Check> run_all(const std::vector<CheckMaker>& makers, int workers) {
     return checks;
 }
 
-Check not_built(const std::string& id, const std::string& task, const std::string& kind, double max, const std::string& message) {
+Check not_built(const std::string& id, const std::string& task, const std::string& kind, double max,
+                const std::string& message) {
     Check check;
     check.id = id;
     check.task = task;
@@ -95,7 +100,8 @@ std::vector<Check> build_error_checks(const Step& step, const std::string& messa
     std::vector<Check> checks;
     for (const Task& t : step.tasks) checks.push_back(not_built(t.id + ".unit", t.id, "unit", t.points, message));
     for (const SceneTask& s : step.scenes)
-        checks.push_back(not_built(fmt::format("{}.picture.{}", step.number, fs::path(s.scene).stem().string()), s.tasks.empty() ? "" : s.tasks.front(), "image", s.points, message));
+        checks.push_back(not_built(fmt::format("{}.picture.{}", step.number, fs::path(s.scene).stem().string()),
+                                   s.tasks.empty() ? "" : s.tasks.front(), "image", s.points, message));
     return checks;
 }
 
@@ -104,12 +110,15 @@ void withhold_unconfirmed_pictures(const Step& step, std::vector<Check>& checks)
     for (const SceneTask& scene : step.scenes) {
         int asked = 0, right = 0;
         for (const Check& c : checks) {
-            const bool its = c.kind == "fresh" && std::find(scene.tasks.begin(), scene.tasks.end(), c.task) != scene.tasks.end();
+            const bool its =
+                c.kind == "fresh" && std::find(scene.tasks.begin(), scene.tasks.end(), c.task) != scene.tasks.end();
             asked += its;
             right += its && (c.verdict == Verdict::pass || c.verdict == Verdict::partial);
         }
         for (Check& c : checks) {
-            if (c.kind != "image" || c.mode != "isolated" || c.verdict != Verdict::pass || c.image->scene != scene.scene || asked == 0 || right > 0) continue;
+            if (c.kind != "image" || c.mode != "isolated" || c.verdict != Verdict::pass ||
+                c.image->scene != scene.scene || asked == 0 || right > 0)
+                continue;
             c.points = 0;
             c.verdict = Verdict::partial;
             c.message += "; but no fresh scene of its tasks agrees with the solution, so it does not count";
@@ -125,14 +134,18 @@ void add_mutant(const StepOrder& order, std::vector<Check>& checks) {
     const bool any = std::any_of(checks.begin(), checks.end(), concerns);
     for (Check& c : checks) {
         if (any ? !concerns(c) : !wrong(c)) continue;
-        c.diagnosis.push_back({"mutant", fmt::format("your answers equal those of a known mistake: {}{}", mutant->title, mutant->seen.empty() ? "" : " (seen as: " + mutant->seen + ")"), mutant->id});
+        c.diagnosis.push_back({"mutant",
+                               fmt::format("your answers equal those of a known mistake: {}{}", mutant->title,
+                                           mutant->seen.empty() ? "" : " (seen as: " + mutant->seen + ")"),
+                               mutant->id});
     }
 }
 
 void add_hints(const Step& step, std::vector<Check>& checks) {
     for (Check& c : checks) {
         const Task* task = step.find(c.task);
-        if (task && !task->hints.empty() && c.mode == "isolated" && (wrong(c) || c.verdict == Verdict::not_started)) c.diagnosis.push_back({"hint", task->hints.front(), {}});
+        if (task && !task->hints.empty() && c.mode == "isolated" && (wrong(c) || c.verdict == Verdict::not_started))
+            c.diagnosis.push_back({"hint", task->hints.front(), {}});
     }
 }
 
@@ -171,7 +184,8 @@ void add_reproduce(const StepOrder& order, std::vector<Check>& checks) {
     for (Check& c : checks) {
         c.reproduce = fmt::format("./rays grade {} --seed {}", order.bench.step.number, order.bench.seed);
         if (c.kind == "image" && c.image)
-            c.reproduce = fmt::format("./rays render scenes/{} -o picture.exr --from student --width {} --height {}", c.image->scene, c.image->width, c.image->height);
+            c.reproduce = fmt::format("./rays render scenes/{} -o picture.exr --from student --width {} --height {}",
+                                      c.image->scene, c.image->width, c.image->height);
     }
 }
 
@@ -187,7 +201,8 @@ Shares shares_of(double points, bool unit, bool fresh, std::size_t sweeps) {
     constexpr double kUnit = 6, kFresh = 2, kSweeps = 2;
     const double whole = (unit ? kUnit : 0) + (fresh ? kFresh : 0) + (sweeps ? kSweeps : 0);
     if (whole == 0) return {};
-    return {unit ? points * kUnit / whole : 0, fresh ? points * kFresh / whole : 0, sweeps ? points * kSweeps / whole / double(sweeps) : 0};
+    return {unit ? points * kUnit / whole : 0, fresh ? points * kFresh / whole : 0,
+            sweeps ? points * kSweeps / whole / double(sweeps) : 0};
 }
 
 std::optional<KnownMutant> diagnose(const Bench& bench, const StepFingerprints& fingerprints) {

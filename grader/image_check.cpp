@@ -30,7 +30,8 @@ std::string kept(const Bench& bench, const std::string& name, const std::string&
     return "images/" + name + ".exr";
 }
 
-void fill(ImageResult& image, const Comparison& c, const Reference& truth, const RgbImage& picture, const Tolerance& tolerance) {
+void fill(ImageResult& image, const Comparison& c, const Reference& truth, const RgbImage& picture,
+          const Tolerance& tolerance) {
     image.width = truth.raster().width;
     image.height = truth.raster().height;
     image.pixels = c.pixels;
@@ -64,15 +65,19 @@ struct Viewing {
 };
 
 void explain(const Viewing& v, const RgbImage& picture, Check& check) {
-    if (const auto text = explain_picture(picture, v.truth, v.tolerance)) check.diagnosis.push_back({"picture", *text, {}});
+    if (const auto text = explain_picture(picture, v.truth, v.tolerance))
+        check.diagnosis.push_back({"picture", *text, {}});
     ImageResult& image = *check.image;
     const auto tree = [&](const fs::path& program, bool json) {
-        return ray_tree(v.bench.sandbox, program, v.files, v.truth.raster(), image.worst_x, image.worst_y, json, v.bench.limits);
+        return ray_tree(v.bench.sandbox, program, v.files, v.truth.raster(), image.worst_x, image.worst_y, json,
+                        v.bench.limits);
     };
-    RayTrees trees{plain_lines(tree(v.program, false), kShownTree), plain_lines(tree(v.bench.solution, false), kShownTree),
+    RayTrees trees{plain_lines(tree(v.program, false), kShownTree),
+                   plain_lines(tree(v.bench.solution, false), kShownTree),
                    first_difference(tree(v.program, true), tree(v.bench.solution, true))};
     if (!trees.first_difference.empty())
-        check.diagnosis.push_back({"tree", fmt::format("pixel ({}, {}), {}", image.worst_x, image.worst_y, trees.first_difference), {}});
+        check.diagnosis.push_back(
+            {"tree", fmt::format("pixel ({}, {}), {}", image.worst_x, image.worst_y, trees.first_difference), {}});
     image.trees = std::move(trees);
 }
 
@@ -89,8 +94,10 @@ void judge(const Viewing& v, const Shot& shot, Check& check) {
     if (c.passed) {
         check.verdict = Verdict::pass;
         check.points = check.max;
-        check.message = fmt::format("every pixel within the rounding of the reference, but {} of {} on silhouettes; largest difference elsewhere {:.2g}",
-                                    c.on_silhouettes, c.pixels, c.max_error);
+        check.message = fmt::format(
+            "every pixel within the rounding of the reference, but {} of {} on silhouettes; largest difference "
+            "elsewhere {:.2g}",
+            c.on_silhouettes, c.pixels, c.max_error);
     } else if (!shot.unfinished.empty()) {
         check.verdict = Verdict::not_started;
         check.message = "the picture waits for task " + unfinished_text(shot.unfinished);
@@ -111,11 +118,13 @@ struct Target {
 Target target_of(const Bench& bench, const SceneTask& scene) {
     static const Manifest manifest = load_manifest(bench.project.references() / "manifest.json");
     const ManifestEntry* entry = manifest.find(scene.scene);
-    if (!entry) throw InputError(fmt::format("{} has no reference: run ./rays references {}", scene.scene, stem(scene.scene)));
+    if (!entry)
+        throw InputError(fmt::format("{} has no reference: run ./rays references {}", scene.scene, stem(scene.scene)));
     Target target;
     target.files = scene_files(bench.project.scenes() / scene.scene);
     if (sha256(target.files.front().bytes) != entry->sha256)
-        throw InputError(fmt::format("{} has changed since its reference was made: run ./rays references {}", scene.scene, stem(scene.scene)));
+        throw InputError(fmt::format("{} has changed since its reference was made: run ./rays references {}",
+                                     scene.scene, stem(scene.scene)));
     target.reference = bench.project.references() / entry->reference;
     target.truth = load_reference(target.reference);
     return target;
@@ -166,7 +175,9 @@ FreshTruth fresh_truth(const Bench& bench, const SceneFiles& files) {
 
 }  // namespace
 
-Check image_check(const Bench& bench, const SceneTask& scene) { return picture_check(bench, scene, bench.student, "isolated"); }
+Check image_check(const Bench& bench, const SceneTask& scene) {
+    return picture_check(bench, scene, bench.student, "isolated");
+}
 
 Check all_mine_check(const Bench& bench, const SceneTask& scene, const fs::path& all_mine) {
     Check check = picture_check(bench, scene, all_mine, "all mine");
@@ -210,10 +221,13 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
         check.image->reference = check.image->solution = kept(bench, check.id + ".solution", truth.exr);
         check.questions.push_back({"the scene", "", scene->sdl, "the solution's picture", "another picture", false});
     }
-    check.message = fmt::format("{} of {} fresh scenes equal to the solution's", right, kFreshScenesPerTask) + check.message;
+    check.message =
+        fmt::format("{} of {} fresh scenes equal to the solution's", right, kFreshScenesPerTask) + check.message;
     check.points = max * right / kFreshScenesPerTask;
-    if (right == kFreshScenesPerTask) check.verdict = Verdict::pass;
-    else if (right > 0 && check.verdict == Verdict::fail) check.verdict = Verdict::partial;
+    if (right == kFreshScenesPerTask)
+        check.verdict = Verdict::pass;
+    else if (right > 0 && check.verdict == Verdict::fail)
+        check.verdict = Verdict::partial;
     return check;
 }
 

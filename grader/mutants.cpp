@@ -68,17 +68,28 @@ void take_field(Mutant& m, const std::string& line, const Lines& lines) {
     const auto begin = line.find_first_not_of(' ', colon + 1);
     const std::string value = begin == std::string::npos ? std::string() : line.substr(begin);
     constexpr std::string_view solutions = "solutions/";
-    if (name == "task") m.task = value;
-    else if (name == "title") m.title = value;
-    else if (name == "seen") m.seen = value;
-    else if (name == "kind") m.kind = kind_of(value, lines);
-    else if (name == "sweep") m.sweep = value;
-    else if (name == "file" && value.starts_with(solutions)) m.file = value.substr(solutions.size());
-    else lines.fail("unknown field: " + line);
+    if (name == "task")
+        m.task = value;
+    else if (name == "title")
+        m.title = value;
+    else if (name == "seen")
+        m.seen = value;
+    else if (name == "kind")
+        m.kind = kind_of(value, lines);
+    else if (name == "sweep")
+        m.sweep = value;
+    else if (name == "file" && value.starts_with(solutions))
+        m.file = value.substr(solutions.size());
+    else
+        lines.fail("unknown field: " + line);
 }
 
 void check(const Mutant& m) {
-    const char* missing = m.task.empty() ? "task" : m.title.empty() ? "title" : m.file.empty() ? "file" : m.hunks.empty() ? "<<<<" : nullptr;
+    const char* missing = m.task.empty()    ? "task"
+                          : m.title.empty() ? "title"
+                          : m.file.empty()  ? "file"
+                          : m.hunks.empty() ? "<<<<"
+                                            : nullptr;
     if (missing) throw InputError(fmt::format("{}: {} has no {}", m.where, m.id, missing));
 }
 
@@ -131,7 +142,9 @@ std::vector<Mutant> read_mutants(const fs::path& folder) {
 std::string apply(const Mutant& mutant, std::string source) {
     for (const Hunk& h : mutant.hunks) {
         const std::size_t count = occurrences(source, h.before);
-        if (count != 1) throw InputError(fmt::format("{}: {}, hunk of line {}: its text occurs {} times in solutions/{}, not once", mutant.where, mutant.id, h.line, count, mutant.file));
+        if (count != 1)
+            throw InputError(fmt::format("{}: {}, hunk of line {}: its text occurs {} times in solutions/{}, not once",
+                                         mutant.where, mutant.id, h.line, count, mutant.file));
         source.replace(source.find(h.before), h.before.size(), h.after);
     }
     return source;

@@ -242,7 +242,8 @@ void converse(pid_t pid, Streams& s, const Command& command, Ended& ended) {
             ended.timed_out = true;
             return;
         }
-        pollfd wait[4] = {{alive.get(), POLLIN, 0}, {s.out.get(), POLLIN, 0}, {s.err.get(), POLLIN, 0}, {s.in.get(), POLLOUT, 0}};
+        pollfd wait[4] = {
+            {alive.get(), POLLIN, 0}, {s.out.get(), POLLIN, 0}, {s.err.get(), POLLIN, 0}, {s.in.get(), POLLOUT, 0}};
         const int patience = command.limits.wall_s > 0 ? static_cast<int>(std::ceil(left * 1000)) : -1;
         if (::poll(wait, 4, patience) < 0 && errno != EINTR) return;
         feed(s, command.input);
@@ -272,13 +273,14 @@ Ended run_command(const Command& command) {
     static_cast<void>(ignored);
     Pipe in, out, err, report;
     if (command.argv.empty() || !make_pipe(in) || !make_pipe(out) || !make_pipe(err) || !make_pipe(report)) {
-        ended.problem = command.argv.empty() ? "no command" : fmt::format("cannot make a pipe: {}", std::strerror(errno));
+        ended.problem =
+            command.argv.empty() ? "no command" : fmt::format("cannot make a pipe: {}", std::strerror(errno));
         return ended;
     }
     const auto environment = environment_for(command);
     const std::string folder = command.folder.string();
-    const Prepared prepared{pointers(command.argv), pointers(environment),   folder.empty() ? nullptr : folder.c_str(),
-                            command.limits,         in.read.get(),           out.write.get(),
+    const Prepared prepared{pointers(command.argv), pointers(environment), folder.empty() ? nullptr : folder.c_str(),
+                            command.limits,         in.read.get(),         out.write.get(),
                             err.write.get(),        report.write.get()};
     const auto begin = Clock::now();
     const pid_t pid = start(prepared);

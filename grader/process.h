@@ -26,13 +26,13 @@ struct Command {
 };
 
 struct Ended {
-    bool started = false;     ///< false: could not even be run; `problem` says why. Never the student's fault.
+    bool started = false;  ///< false: could not even be run; `problem` says why. Never the student's fault.
     std::string problem;
-    int exit = -1;            ///< exit status, -1 when it ended by a signal
-    int signal = 0;           ///< the signal that ended it, 0 for none
-    bool timed_out = false;   ///< of the clock or of the processor
-    bool flooded = false;     ///< killed for writing more text than text_mb
-    std::string out, err;     ///< bounded, hostile
+    int exit = -1;           ///< exit status, -1 when it ended by a signal
+    int signal = 0;          ///< the signal that ended it, 0 for none
+    bool timed_out = false;  ///< of the clock or of the processor
+    bool flooded = false;    ///< killed for writing more text than text_mb
+    std::string out, err;    ///< bounded, hostile
     double wall_s = 0, cpu_s = 0;
 
     bool ok() const { return started && exit == 0 && signal == 0 && !timed_out && !flooded; }

@@ -17,7 +17,9 @@ std::map<std::string, std::string> read_cache(const fs::path& file) {
     for (std::string line; std::getline(in, line);) {
         const auto colon = line.find(':');
         const auto equals = line.find('=', colon == std::string::npos ? 0 : colon);
-        if (line.empty() || line[0] == '#' || line[0] == '/' || colon == std::string::npos || equals == std::string::npos) continue;
+        if (line.empty() || line[0] == '#' || line[0] == '/' || colon == std::string::npos ||
+            equals == std::string::npos)
+            continue;
         cache[line.substr(0, colon)] = line.substr(equals + 1);
     }
     return cache;
@@ -40,7 +42,8 @@ Project find_project() {
     project.root = project.setting("CMAKE_HOME_DIRECTORY");
     project.version = project.setting("CMAKE_PROJECT_VERSION");
     if (project.root.empty() || !fs::exists(project.steps()))
-        throw InputError(fmt::format("{} is no build of Raysteps: run ./rays, or the rays-grader of a build folder", folder.string()));
+        throw InputError(fmt::format("{} is no build of Raysteps: run ./rays, or the rays-grader of a build folder",
+                                     folder.string()));
     return project;
 }
 

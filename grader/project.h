@@ -9,8 +9,8 @@
 namespace rays::grader {
 
 struct Project {
-    std::filesystem::path root;   ///< the sources
-    std::filesystem::path build;  ///< the build this program belongs to
+    std::filesystem::path root;                ///< the sources
+    std::filesystem::path build;               ///< the build this program belongs to
     std::map<std::string, std::string> cache;  ///< of CMake: name -> value
     std::string version;
 

@@ -64,7 +64,9 @@ std::optional<std::vector<Query>> parse(const std::string& text) {
     return queries;
 }
 
-double angle_deg(const V& a, const V& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 57.29577951308232; }
+double angle_deg(const V& a, const V& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 57.29577951308232;
+}
 
 // Written so that NaN differs.
 bool near(double a, double b, double scale) { return std::abs(a - b) <= kRelative * std::max(scale, std::abs(b)); }
@@ -76,23 +78,35 @@ bool near(const V& a, const V& b) {
 std::string text(const V& v) { return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z); }
 
 std::string ray_difference(const Query& a, const Query& b) {
-    if (!near(a.origin, b.origin)) return fmt::format("starts at {}, the solution's at {}", text(a.origin), text(b.origin));
+    if (!near(a.origin, b.origin))
+        return fmt::format("starts at {}, the solution's at {}", text(a.origin), text(b.origin));
     const double angle = angle_deg(a.direction, b.direction);
-    if (!(angle <= kAngle_deg)) return fmt::format("has a direction that differs by {:.3g} degrees: {}, the solution's {}", angle, text(a.direction), text(b.direction));
+    if (!(angle <= kAngle_deg))
+        return fmt::format("has a direction that differs by {:.3g} degrees: {}, the solution's {}", angle,
+                           text(a.direction), text(b.direction));
     return {};
 }
 
 std::string hit_difference(const Query& a, const Query& b) {
-    if (b.kind == "shadow") return a.blocked == b.blocked ? "" : a.blocked ? "is blocked; the solution's reaches the light" : "reaches the light; the solution's is blocked";
-    if (a.hit != b.hit) return a.hit ? fmt::format("hits object {} at t = {:.6g}; the solution's misses everything", a.object, a.t)
-                                     : fmt::format("misses everything; the solution's hits object {} at t = {:.6g}", b.object, b.t);
+    if (b.kind == "shadow")
+        return a.blocked == b.blocked ? ""
+               : a.blocked            ? "is blocked; the solution's reaches the light"
+                                      : "reaches the light; the solution's is blocked";
+    if (a.hit != b.hit)
+        return a.hit ? fmt::format("hits object {} at t = {:.6g}; the solution's misses everything", a.object, a.t)
+                     : fmt::format("misses everything; the solution's hits object {} at t = {:.6g}", b.object, b.t);
     if (!b.hit) return {};
-    if (a.object != b.object) return fmt::format("hits object {} at t = {:.6g}; the solution's object {} at t = {:.6g}", a.object, a.t, b.object, b.t);
+    if (a.object != b.object)
+        return fmt::format("hits object {} at t = {:.6g}; the solution's object {} at t = {:.6g}", a.object, a.t,
+                           b.object, b.t);
     // t counts in lengths of the direction, which is free.
     const double reach_a = a.t * glm::length(a.direction), reach_b = b.t * glm::length(b.direction);
-    if (!near(reach_a, reach_b, 0)) return fmt::format("hits object {} at distance {:.6g}; the solution's at {:.6g}", b.object, reach_a, reach_b);
+    if (!near(reach_a, reach_b, 0))
+        return fmt::format("hits object {} at distance {:.6g}; the solution's at {:.6g}", b.object, reach_a, reach_b);
     const double angle = angle_deg(a.normal, b.normal);
-    if (!(angle <= kAngle_deg)) return fmt::format("finds a normal that differs by {:.3g} degrees: {}, the solution's {}", angle, text(a.normal), text(b.normal));
+    if (!(angle <= kAngle_deg))
+        return fmt::format("finds a normal that differs by {:.3g} degrees: {}, the solution's {}", angle,
+                           text(a.normal), text(b.normal));
     return {};
 }
 
@@ -107,7 +121,8 @@ std::string first_difference(const std::string& student_json, const std::string&
     const std::size_t common = std::min(student->size(), solution->size());
     for (std::size_t i = 0; i < common; ++i) {
         const Query &a = (*student)[i], &b = (*solution)[i];
-        if (a.kind != b.kind || a.depth != b.depth) return fmt::format("{} was asked where the solution asks the {} ray of depth {}", name(a), b.kind, b.depth);
+        if (a.kind != b.kind || a.depth != b.depth)
+            return fmt::format("{} was asked where the solution asks the {} ray of depth {}", name(a), b.kind, b.depth);
         if (const auto text = ray_difference(a, b); !text.empty()) return name(b) + " " + text;
         if (const auto text = hit_difference(a, b); !text.empty()) return name(b) + " " + text;
     }
@@ -116,7 +131,8 @@ std::string first_difference(const std::string& student_json, const std::string&
     for (std::size_t i = 0; i < common; ++i) {
         const Query &a = (*student)[i], &b = (*solution)[i];
         if (b.kind != "shadow" && !near(a.radiance, b.radiance))
-            return fmt::format("{} agrees in all geometry, but brings home {}; the solution's {}", name(b), text(a.radiance), text(b.radiance));
+            return fmt::format("{} agrees in all geometry, but brings home {}; the solution's {}", name(b),
+                               text(a.radiance), text(b.radiance));
     }
     return {};
 }

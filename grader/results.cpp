@@ -40,7 +40,8 @@ Json json_of(const Diagnosis& d) {
 }
 
 Json json_of(const AskedQuestion& q) {
-    return {{"about", q.about}, {"query", q.query}, {"scene", q.scene}, {"expected", q.expected}, {"answer", q.answer}, {"ok", q.ok}};
+    return {{"about", q.about},       {"query", q.query},   {"scene", q.scene},
+            {"expected", q.expected}, {"answer", q.answer}, {"ok", q.ok}};
 }
 
 Json json_of(const ImageResult& i) {
@@ -48,11 +49,23 @@ Json json_of(const ImageResult& i) {
     if (!i.student.empty()) j["student"] = i.student;
     if (!i.reference.empty()) j["reference"] = i.reference;
     if (!i.solution.empty()) j["solution"] = i.solution;
-    j.update({{"width", i.width}, {"height", i.height}, {"pixels", i.pixels}, {"beyond_rounding", i.beyond_rounding},
-              {"on_silhouettes", i.on_silhouettes}, {"max_error", number(i.max_error)}, {"rmse", number(i.rmse)},
-              {"tolerance", i.tolerance}, {"tolerance_absolute", i.tolerance_absolute}});
-    j["worst"] = {{"x", i.worst_x}, {"y", i.worst_y}, {"student", color(i.worst_student)}, {"reference", color(i.worst_reference)}};
-    if (i.trees) j["trees"] = {{"student", i.trees->student}, {"solution", i.trees->solution}, {"first_difference", i.trees->first_difference}};
+    j.update({{"width", i.width},
+              {"height", i.height},
+              {"pixels", i.pixels},
+              {"beyond_rounding", i.beyond_rounding},
+              {"on_silhouettes", i.on_silhouettes},
+              {"max_error", number(i.max_error)},
+              {"rmse", number(i.rmse)},
+              {"tolerance", i.tolerance},
+              {"tolerance_absolute", i.tolerance_absolute}});
+    j["worst"] = {{"x", i.worst_x},
+                  {"y", i.worst_y},
+                  {"student", color(i.worst_student)},
+                  {"reference", color(i.worst_reference)}};
+    if (i.trees)
+        j["trees"] = {{"student", i.trees->student},
+                      {"solution", i.trees->solution},
+                      {"first_difference", i.trees->first_difference}};
     return j;
 }
 
@@ -63,17 +76,26 @@ Json json_of(const Chart& c) {
         for (const auto& [x, y] : s.points) points.push_back(Json::array({number(x), y ? number(*y) : Json(nullptr)}));
         series.push_back({{"name", s.name}, {"role", s.role}, {"points", points}});
     }
-    return {{"title", c.title}, {"x_label", c.x_label}, {"y_label", c.y_label}, {"log_x", c.log_x}, {"log_y", c.log_y},
-            {"pass_from", c.pass_from}, {"pass_to", c.pass_to}, {"series", series}};
+    return {{"title", c.title}, {"x_label", c.x_label},     {"y_label", c.y_label}, {"log_x", c.log_x},
+            {"log_y", c.log_y}, {"pass_from", c.pass_from}, {"pass_to", c.pass_to}, {"series", series}};
 }
 
 template <class T>
 Json list(const std::vector<T>& items);
 
 Json json_of(const Check& c) {
-    Json j{{"id", c.id}, {"task", c.task}, {"kind", c.kind}, {"mode", c.mode}, {"title", c.title},
-           {"verdict", to_string(c.verdict)}, {"points", rounded(c.points)}, {"max", c.max}, {"message", c.message},
-           {"reproduce", c.reproduce}, {"seconds", rounded(c.seconds)}, {"diagnosis", list(c.diagnosis)}};
+    Json j{{"id", c.id},
+           {"task", c.task},
+           {"kind", c.kind},
+           {"mode", c.mode},
+           {"title", c.title},
+           {"verdict", to_string(c.verdict)},
+           {"points", rounded(c.points)},
+           {"max", c.max},
+           {"message", c.message},
+           {"reproduce", c.reproduce},
+           {"seconds", rounded(c.seconds)},
+           {"diagnosis", list(c.diagnosis)}};
     if (!c.questions.empty()) j["questions"] = list(c.questions);
     if (c.image) j["image"] = json_of(*c.image);
     if (c.chart) j["chart"] = json_of(*c.chart);
@@ -81,17 +103,29 @@ Json json_of(const Check& c) {
 }
 
 Json json_of(const TaskResult& t) {
-    return {{"id", t.id}, {"title", t.title}, {"verdict", to_string(t.verdict)}, {"points", rounded(t.points)}, {"max", t.max},
-            {"hint", t.hint}, {"file", t.file}, {"line", t.line}};
+    return {{"id", t.id},
+            {"title", t.title},
+            {"verdict", to_string(t.verdict)},
+            {"points", rounded(t.points)},
+            {"max", t.max},
+            {"hint", t.hint},
+            {"file", t.file},
+            {"line", t.line}};
 }
 
 Json json_of(const StepResult& s) {
-    return {{"id", s.id}, {"number", s.number}, {"title", s.title}, {"verdict", to_string(s.verdict)},
-            {"points", rounded(s.points)}, {"max", s.max}, {"tasks", list(s.tasks)}, {"checks", list(s.checks)}};
+    return {{"id", s.id},
+            {"number", s.number},
+            {"title", s.title},
+            {"verdict", to_string(s.verdict)},
+            {"points", rounded(s.points)},
+            {"max", s.max},
+            {"tasks", list(s.tasks)},
+            {"checks", list(s.checks)}};
 }
 
 Json json_of(const RubricResult& r) {
-    return {{"id", r.id}, {"title", r.title}, {"points", rounded(r.points)}, {"max", r.max}, {"extra", r.extra},
+    return {{"id", r.id},         {"title", r.title}, {"points", rounded(r.points)}, {"max", r.max}, {"extra", r.extra},
             {"graded", r.graded}, {"note", r.note}};
 }
 
@@ -104,25 +138,28 @@ Json list(const std::vector<T>& items) {
 
 Json json_of(const Results& r) {
     const bool broken = !r.infrastructure_error.empty();
-    return {{"schema", kSchema},
-            {"created", r.created},
-            {"submission", {{"name", r.submission_name}, {"from", r.submission_from}}},
-            {"machine", {{"cpu", r.cpu}, {"cores", r.cores}, {"os", r.os}}},
-            {"versions", {{"raysteps", r.raysteps}, {"povray", r.povray}, {"compiler", r.compiler}, {"real", r.real}}},
-            {"sandbox",
-             {{"tier", r.sandbox_tier},
-              {"limits", {{"cpu_s", r.cpu_s}, {"memory_mb", r.memory_mb}, {"processes", r.processes}, {"output_mb", r.output_mb}}}}},
-            {"seed", r.seed},
-            {"seconds", rounded(r.seconds)},
-            {"complete", r.complete},
-            {"status", broken ? "infrastructure error" : "graded"},
-            {"message", r.infrastructure_error},
-            {"score", {{"points", rounded(r.points)}, {"max", r.max}}},
-            {"rubric", list(r.rubric)},
-            {"steps", list(r.steps)}};
+    return {
+        {"schema", kSchema},
+        {"created", r.created},
+        {"submission", {{"name", r.submission_name}, {"from", r.submission_from}}},
+        {"machine", {{"cpu", r.cpu}, {"cores", r.cores}, {"os", r.os}}},
+        {"versions", {{"raysteps", r.raysteps}, {"povray", r.povray}, {"compiler", r.compiler}, {"real", r.real}}},
+        {"sandbox",
+         {{"tier", r.sandbox_tier},
+          {"limits",
+           {{"cpu_s", r.cpu_s}, {"memory_mb", r.memory_mb}, {"processes", r.processes}, {"output_mb", r.output_mb}}}}},
+        {"seed", r.seed},
+        {"seconds", rounded(r.seconds)},
+        {"complete", r.complete},
+        {"status", broken ? "infrastructure error" : "graded"},
+        {"message", r.infrastructure_error},
+        {"score", {{"points", rounded(r.points)}, {"max", r.max}}},
+        {"rubric", list(r.rubric)},
+        {"steps", list(r.steps)}};
 }
 
-// ---- reading, for the summary and the exporters: no pictures' details, no charts -------------------------------------
+// ---- reading, for the summary and the exporters: no pictures' details, no charts
+// -------------------------------------
 
 Check check_of(const Json& j) {
     Check c;
@@ -135,7 +172,8 @@ Check check_of(const Json& j) {
         const Json& i = j.at("image");
         c.image.emplace();
         c.image->scene = i.at("scene");
-        c.image->student = i.value("student", ""), c.image->reference = i.value("reference", ""), c.image->solution = i.value("solution", "");
+        c.image->student = i.value("student", ""), c.image->reference = i.value("reference", ""),
+        c.image->solution = i.value("solution", "");
     }
     return c;
 }
@@ -145,7 +183,8 @@ StepResult step_of(const Json& j) {
     s.id = j.at("id"), s.number = j.at("number"), s.title = j.at("title"), s.verdict = verdict_of(j.at("verdict"));
     s.points = j.at("points"), s.max = j.at("max");
     for (const Json& t : j.at("tasks"))
-        s.tasks.push_back({t.at("id"), t.at("title"), verdict_of(t.at("verdict")), t.at("points"), t.at("max"), t.at("hint"), t.at("file"), t.at("line")});
+        s.tasks.push_back({t.at("id"), t.at("title"), verdict_of(t.at("verdict")), t.at("points"), t.at("max"),
+                           t.at("hint"), t.at("file"), t.at("line")});
     for (const Json& c : j.at("checks")) s.checks.push_back(check_of(c));
     return s;
 }
@@ -153,12 +192,15 @@ StepResult step_of(const Json& j) {
 Results results_of(const Json& j) {
     if (j.at("schema") != kSchema) throw InputError("not of schema " + std::string(kSchema));
     Results r;
-    r.created = j.at("created"), r.submission_name = j.at("submission").at("name"), r.submission_from = j.at("submission").at("from");
-    r.sandbox_tier = j.at("sandbox").at("tier"), r.seed = j.at("seed"), r.seconds = j.at("seconds"), r.complete = j.at("complete");
+    r.created = j.at("created"), r.submission_name = j.at("submission").at("name"),
+    r.submission_from = j.at("submission").at("from");
+    r.sandbox_tier = j.at("sandbox").at("tier"), r.seed = j.at("seed"), r.seconds = j.at("seconds"),
+    r.complete = j.at("complete");
     r.infrastructure_error = j.at("message");
     r.points = j.at("score").at("points"), r.max = j.at("score").at("max");
     for (const Json& row : j.at("rubric"))
-        r.rubric.push_back({row.at("id"), row.at("title"), row.at("points"), row.at("max"), row.at("extra"), row.at("graded"), row.at("note")});
+        r.rubric.push_back({row.at("id"), row.at("title"), row.at("points"), row.at("max"), row.at("extra"),
+                            row.at("graded"), row.at("note")});
     for (const Json& s : j.at("steps")) r.steps.push_back(step_of(s));
     return r;
 }
@@ -172,7 +214,9 @@ std::string to_json(const Results& results) {
     return json_of(results).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_results(const Results& results, const std::filesystem::path& file) { write_atomically(file, to_json(results)); }
+void write_results(const Results& results, const std::filesystem::path& file) {
+    write_atomically(file, to_json(results));
+}
 
 Results read_results(const std::filesystem::path& file) {
     try {

@@ -17,7 +17,7 @@ enum class Verdict { pass, partial, fail, not_started, build_error, crash, time_
 std::string to_string(Verdict verdict);
 
 struct Diagnosis {
-    std::string kind;    ///< "mutant", "tree", "picture" or "hint"
+    std::string kind;  ///< "mutant", "tree", "picture" or "hint"
     std::string text;
     std::string mutant;  ///< its id, for kind "mutant"
 };
@@ -36,7 +36,7 @@ struct ImageResult {
     std::string student, reference, solution;  ///< paths relative to the folder of results.json; empty: there is none
     int width = 0, height = 0, pixels = 0, beyond_rounding = 0, on_silhouettes = 0;
     double max_error = 0, rmse = 0;
-    double tolerance = 0;  ///< for a value of 1
+    double tolerance = 0;           ///< for a value of 1
     double tolerance_absolute = 0;  ///< the part of it that does not grow with the value
     int worst_x = 0, worst_y = 0;
     Rgb worst_student{}, worst_reference{};
@@ -45,7 +45,7 @@ struct ImageResult {
 
 struct ChartSeries {
     std::string name;
-    std::string role;  ///< "solution", "student" or "naive"
+    std::string role;                                              ///< "solution", "student" or "naive"
     std::vector<std::pair<double, std::optional<double>>> points;  ///< no value: failed there
 };
 
@@ -57,9 +57,9 @@ struct Chart {
 };
 
 struct Check {
-    std::string id;    ///< "1.3.unit", "1.picture.one_sphere", "1.3.fresh", "1.3.distance"
-    std::string task;  ///< the task it belongs to
-    std::string kind;  ///< "unit", "image", "fresh" or "stability"
+    std::string id;                 ///< "1.3.unit", "1.picture.one_sphere", "1.3.fresh", "1.3.distance"
+    std::string task;               ///< the task it belongs to
+    std::string kind;               ///< "unit", "image", "fresh" or "stability"
     std::string mode = "isolated";  ///< or "all mine"
     std::string title;
     Verdict verdict = Verdict::fail;
@@ -109,7 +109,7 @@ struct Results {
     int memory_mb = 0, processes = 0, output_mb = 0;
     std::uint64_t seed = 0;
     double seconds = 0;
-    bool complete = false;  ///< false: a partial result, rewritten when the next step is done
+    bool complete = false;             ///< false: a partial result, rewritten when the next step is done
     std::string infrastructure_error;  ///< not empty: this is no grade
     double points = 0, max = 0;
     std::vector<RubricResult> rubric;

@@ -37,21 +37,28 @@ bool concerns(const RubricRow& row, const Step& step) {
 
 }  // namespace
 
-std::vector<RubricResult> rubric_results(const Rubric& rubric, const std::vector<Step>& all_steps, const std::vector<StepResult>& graded) {
+std::vector<RubricResult> rubric_results(const Rubric& rubric, const std::vector<Step>& all_steps,
+                                         const std::vector<StepResult>& graded) {
     std::vector<RubricResult> rows;
     for (const RubricRow& row : rubric.rows) {
         Sum sum;
         for (const Step& step : all_steps) {
             if (!concerns(row, step)) continue;
-            const auto result = std::find_if(graded.begin(), graded.end(), [&](const StepResult& r) { return r.id == step.id; });
-            if (result != graded.end()) add_step(sum, row, step, *result);
-            else sum.missing_step = step.number;
+            const auto result =
+                std::find_if(graded.begin(), graded.end(), [&](const StepResult& r) { return r.id == step.id; });
+            if (result != graded.end())
+                add_step(sum, row, step, *result);
+            else
+                sum.missing_step = step.number;
         }
         RubricResult r{row.id, row.title, 0, row.points, row.extra, true, row.note};
         r.graded = sum.max > 0 && !sum.missing_step;
-        if (r.graded) r.points = row.points * sum.points / sum.max;
-        else if (sum.missing_step) r.note = fmt::format("not graded in this run: needs step {}", sum.missing_step);
-        else r.note = "not graded yet" + (row.note.empty() ? "" : ": " + row.note);
+        if (r.graded)
+            r.points = row.points * sum.points / sum.max;
+        else if (sum.missing_step)
+            r.note = fmt::format("not graded in this run: needs step {}", sum.missing_step);
+        else
+            r.note = "not graded yet" + (row.note.empty() ? "" : ": " + row.note);
         rows.push_back(r);
     }
     return rows;

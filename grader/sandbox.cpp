@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 void put(const fs::path& folder, const InputFile& file) {
     const fs::path target = (folder / file.name).lexically_normal();
-    if (target.lexically_relative(folder).string().starts_with("..")) throw std::runtime_error(file.name + " leads outside");
+    if (target.lexically_relative(folder).string().starts_with(".."))
+        throw std::runtime_error(file.name + " leads outside");
     fs::create_directories(target.parent_path());
     std::ofstream out(target, std::ios::binary);
     out.write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
@@ -29,7 +30,8 @@ std::string why_not_to_take(const struct stat& info, std::size_t limit) {
     if (!S_ISREG(info.st_mode)) return "is not a regular file";
     if (info.st_nlink != 1) return "is a link to another file";
     if (info.st_size == 0) return "is empty";
-    if (limit > 0 && static_cast<std::size_t>(info.st_size) > limit) return fmt::format("has {} bytes, more than the {} allowed", info.st_size, limit);
+    if (limit > 0 && static_cast<std::size_t>(info.st_size) > limit)
+        return fmt::format("has {} bytes, more than the {} allowed", info.st_size, limit);
     return {};
 }
 
@@ -56,7 +58,9 @@ OutputFile take(const fs::path& file, std::size_t limit) {
     const int fd = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (fd < 0) {
         OutputFile missing;
-        missing.problem = errno == ENOENT ? "was not written" : errno == ELOOP ? "is a symbolic link" : std::strerror(errno);
+        missing.problem = errno == ENOENT  ? "was not written"
+                          : errno == ELOOP ? "is a symbolic link"
+                                           : std::strerror(errno);
         return missing;
     }
     OutputFile result = take_from(fd, limit);

@@ -19,7 +19,9 @@ Job job_for(const fs::path& program, const SceneFiles& files, Raster raster, con
     job.files = files;
     job.limits = limits;
     // One thread: several checks run side by side, and arenas and stacks of many threads would count as memory.
-    job.arguments = {files.front().name, "--width", std::to_string(raster.width), "--height", std::to_string(raster.height), "--threads", "1"};
+    job.arguments = {
+        files.front().name, "--width", std::to_string(raster.width), "--height", std::to_string(raster.height),
+        "--threads",        "1"};
     return job;
 }
 
@@ -33,7 +35,8 @@ SceneFiles scene_files(const fs::path& scene) {
     return files;
 }
 
-Shot shoot(const Sandbox& sandbox, const fs::path& program, const SceneFiles& files, Raster raster, const Limits& limits) {
+Shot shoot(const Sandbox& sandbox, const fs::path& program, const SceneFiles& files, Raster raster,
+           const Limits& limits) {
     Job job = job_for(program, files, raster, limits);
     for (const char* argument : {"-o", kPicture, "--stats", kStats}) job.arguments.emplace_back(argument);
     job.outputs = {kPicture, kStats};
@@ -55,7 +58,8 @@ Shot shoot(const Sandbox& sandbox, const fs::path& program, const SceneFiles& fi
     return shot;
 }
 
-std::string ray_tree(const Sandbox& sandbox, const fs::path& program, const SceneFiles& files, Raster raster, int x, int y, bool json, const Limits& limits) {
+std::string ray_tree(const Sandbox& sandbox, const fs::path& program, const SceneFiles& files, Raster raster, int x,
+                     int y, bool json, const Limits& limits) {
     Job job = job_for(program, files, raster, limits);
     job.arguments.push_back("--explain");
     job.arguments.push_back(fmt::format("{},{}", x, y));

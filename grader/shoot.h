@@ -25,10 +25,11 @@ struct Shot {
     double seconds = 0;
 };
 
-Shot shoot(const Sandbox& sandbox, const std::filesystem::path& program, const SceneFiles& files, Raster raster, const Limits& limits);
+Shot shoot(const Sandbox& sandbox, const std::filesystem::path& program, const SceneFiles& files, Raster raster,
+           const Limits& limits);
 
 /// The ray tree of a pixel, as text or as JSON; empty when the program does not give one.
-std::string ray_tree(const Sandbox& sandbox, const std::filesystem::path& program, const SceneFiles& files, Raster raster, int x, int y,
-                     bool json, const Limits& limits);
+std::string ray_tree(const Sandbox& sandbox, const std::filesystem::path& program, const SceneFiles& files,
+                     Raster raster, int x, int y, bool json, const Limits& limits);
 
 }  // namespace rays::grader

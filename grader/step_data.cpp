@@ -54,7 +54,9 @@ Step step_of(const fs::path& folder) {
     for (const json& s : j.at("scenes")) step.scenes.push_back(scene_of(s));
     for (const SceneTask& s : step.scenes)
         for (const std::string& t : s.tasks)
-            if (!step.find(t)) throw InputError(fmt::format("{}/step.json: scene {} names the unknown task {}", folder.string(), s.scene, t));
+            if (!step.find(t))
+                throw InputError(
+                    fmt::format("{}/step.json: scene {} names the unknown task {}", folder.string(), s.scene, t));
     return step;
 }
 

@@ -22,13 +22,14 @@ std::string object_name(std::string file) {
     return file + ".o";
 }
 
-std::vector<Work> compile_all(const Builder& builder, const Project& project, const std::vector<Step>& steps, const fs::path& submission,
-                              const fs::path& folder, int workers) {
+std::vector<Work> compile_all(const Builder& builder, const Project& project, const std::vector<Step>& steps,
+                              const fs::path& submission, const fs::path& folder, int workers) {
     std::vector<Work> list;
     for (const Step& step : steps)
         for (const std::string& file : builder.files_of(step.number)) list.push_back({step.number, file, {}});
     in_parallel(list.size(), workers, [&](std::size_t i) {
-        list[i].built = builder.compile(list[i].file, submitted_file(project, submission, list[i].file), folder / object_name(list[i].file), "-O2");
+        list[i].built = builder.compile(list[i].file, submitted_file(project, submission, list[i].file),
+                                        folder / object_name(list[i].file), "-O2");
     });
     return list;
 }
@@ -41,15 +42,17 @@ fs::path submitted_file(const Project& project, const fs::path& submission, cons
     return project.steps() / file;
 }
 
-StudentPrograms build_student(const Builder& builder, const Project& project, const std::vector<Step>& steps, const fs::path& submission,
-                              const fs::path& folder, int workers) {
+StudentPrograms build_student(const Builder& builder, const Project& project, const std::vector<Step>& steps,
+                              const fs::path& submission, const fs::path& folder, int workers) {
     StudentPrograms programs;
     fs::create_directories(folder);
     std::map<int, std::map<std::string, fs::path>> objects;
     std::map<std::string, fs::path> all;
     for (const Work& work : compile_all(builder, project, steps, submission, folder, workers)) {
-        if (work.built.infrastructure) programs.infrastructure_error = work.built.message;
-        else if (!work.built.good) programs.build_errors[work.step] += work.built.message;
+        if (work.built.infrastructure)
+            programs.infrastructure_error = work.built.message;
+        else if (!work.built.good)
+            programs.build_errors[work.step] += work.built.message;
         objects[work.step][work.file] = work.built.file;
         all[work.file] = work.built.file;
     }
@@ -57,9 +60,12 @@ StudentPrograms build_student(const Builder& builder, const Project& project, co
     for (const Step& step : steps) {
         if (programs.build_errors.count(step.number)) continue;
         const Built built = builder.link(objects[step.number], folder / fmt::format("render-student-{}", step.number));
-        if (built.infrastructure) programs.infrastructure_error = built.message;
-        else if (built.good) programs.isolated[step.number] = built.file;
-        else programs.build_errors[step.number] = built.message;
+        if (built.infrastructure)
+            programs.infrastructure_error = built.message;
+        else if (built.good)
+            programs.isolated[step.number] = built.file;
+        else
+            programs.build_errors[step.number] = built.message;
     }
     if (!programs.build_errors.empty()) return programs;
     const Built built = builder.link(all, folder / "render-student");

@@ -10,11 +10,16 @@ namespace {
 std::string points(double p) { return fmt::format("{:.4g}", p); }
 
 std::string check_lines(const Check& c, const std::filesystem::path& out) {
-    std::string text = fmt::format("    {} [{}{}] {}: {}\n", plain(c.id), c.kind, c.mode == "isolated" ? "" : ", all mine", to_string(c.verdict), plain(c.message, 400));
-    for (const Diagnosis& d : c.diagnosis) text += fmt::format("        {}{}: {}\n", d.kind, d.mutant.empty() ? std::string() : fmt::format(" {}", plain(d.mutant)), plain(d.text, 400));
+    std::string text =
+        fmt::format("    {} [{}{}] {}: {}\n", plain(c.id), c.kind, c.mode == "isolated" ? "" : ", all mine",
+                    to_string(c.verdict), plain(c.message, 400));
+    for (const Diagnosis& d : c.diagnosis)
+        text += fmt::format("        {}{}: {}\n", d.kind,
+                            d.mutant.empty() ? std::string() : fmt::format(" {}", plain(d.mutant)), plain(d.text, 400));
     if (c.image && !c.image->student.empty()) {
         text += fmt::format("        pictures: {}", (out / c.image->student).string());
-        if (!c.image->reference.empty()) text += fmt::format("  {}", (out / c.image->reference).lexically_normal().string());
+        if (!c.image->reference.empty())
+            text += fmt::format("  {}", (out / c.image->reference).lexically_normal().string());
         text += '\n';
     }
     return text;
@@ -22,7 +27,8 @@ std::string check_lines(const Check& c, const std::filesystem::path& out) {
 
 // A build error is the same for all checks of a step: told once.
 std::string wrong_checks(const StepResult& step, const std::filesystem::path& out) {
-    if (step.verdict == Verdict::build_error) return step.checks.empty() ? std::string() : fmt::format("    {}\n", plain_lines(step.checks.front().message));
+    if (step.verdict == Verdict::build_error)
+        return step.checks.empty() ? std::string() : fmt::format("    {}\n", plain_lines(step.checks.front().message));
     std::string text;
     int not_started = 0;
     for (const Check& c : step.checks) {
@@ -34,9 +40,11 @@ std::string wrong_checks(const StepResult& step, const std::filesystem::path& ou
 }
 
 std::string step_text(const StepResult& step, const std::filesystem::path& out) {
-    std::string text = fmt::format("Step {}  {:<44} {:<14} {:>6} / {}\n", step.number, plain(step.title), to_string(step.verdict), points(step.points), points(step.max));
+    std::string text = fmt::format("Step {}  {:<44} {:<14} {:>6} / {}\n", step.number, plain(step.title),
+                                   to_string(step.verdict), points(step.points), points(step.max));
     for (const TaskResult& t : step.tasks)
-        text += fmt::format("  {:<5} {:<44} {:<14} {:>6} / {}\n", t.id, plain(t.title, 44), to_string(t.verdict), points(t.points), points(t.max));
+        text += fmt::format("  {:<5} {:<44} {:<14} {:>6} / {}\n", t.id, plain(t.title, 44), to_string(t.verdict),
+                            points(t.points), points(t.max));
     double earned = 0, max = 0;
     int passed = 0, pictures = 0;
     for (const Check& c : step.checks) {
@@ -46,15 +54,18 @@ std::string step_text(const StepResult& step, const std::filesystem::path& out) 
         passed += c.verdict == Verdict::pass;
         ++pictures;
     }
-    text += fmt::format("        {:<59} {:>6} / {}\n", fmt::format("pictures: {} of {} as POV-Ray's", passed, pictures), points(earned), points(max));
+    text += fmt::format("        {:<59} {:>6} / {}\n", fmt::format("pictures: {} of {} as POV-Ray's", passed, pictures),
+                        points(earned), points(max));
     return text + wrong_checks(step, out);
 }
 
 std::string rubric_text(const Results& r) {
     std::string text = "The assignment\n";
     for (const RubricResult& row : r.rubric)
-        text += row.graded ? fmt::format("  {:<65} {:>6} / {}{}\n", plain(row.title), points(row.points), points(row.max), row.extra ? "  extra" : "")
-                           : fmt::format("  {:<65}      - / {}  {}\n", plain(row.title), points(row.max), plain(row.note));
+        text += row.graded
+                    ? fmt::format("  {:<65} {:>6} / {}{}\n", plain(row.title), points(row.points), points(row.max),
+                                  row.extra ? "  extra" : "")
+                    : fmt::format("  {:<65}      - / {}  {}\n", plain(row.title), points(row.max), plain(row.note));
     return text;
 }
 
@@ -64,11 +75,13 @@ std::string summary(const Results& r, const std::filesystem::path& out) {
     std::string text;
     for (const StepResult& step : r.steps) text += step_text(step, out) + "\n";
     if (!r.rubric.empty()) text += rubric_text(r) + "\n";
-    if (!r.infrastructure_error.empty()) text += "INFRASTRUCTURE ERROR, this is no grade: " + plain(r.infrastructure_error, 600) + "\n";
+    if (!r.infrastructure_error.empty())
+        text += "INFRASTRUCTURE ERROR, this is no grade: " + plain(r.infrastructure_error, 600) + "\n";
     double extra = 0;
     for (const RubricResult& row : r.rubric) extra += row.graded && row.extra ? row.points : 0;
-    text += fmt::format("Score: {} of {} points that can be graded today{}; seed {}, {:.1f} s, sandbox tier \"{}\"{}\n", points(r.points), points(r.max),
-                        extra > 0 ? fmt::format(", and {} extra", points(extra)) : "", r.seed, r.seconds, r.sandbox_tier, r.complete ? "" : "; PARTIAL RESULT");
+    text += fmt::format("Score: {} of {} points that can be graded today{}; seed {}, {:.1f} s, sandbox tier \"{}\"{}\n",
+                        points(r.points), points(r.max), extra > 0 ? fmt::format(", and {} extra", points(extra)) : "",
+                        r.seed, r.seconds, r.sandbox_tier, r.complete ? "" : "; PARTIAL RESULT");
     return text + "Results: " + (out / "results.json").string() + "\n";
 }
 

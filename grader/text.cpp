@@ -7,8 +7,10 @@ std::string clean(std::string_view text, std::size_t limit, bool keep_lines) {
     std::string out;
     for (const char c : text.substr(0, limit)) {
         const auto byte = static_cast<unsigned char>(c);
-        if (c == '\n' || c == '\t') out += c == '\n' && keep_lines ? '\n' : ' ';
-        else out += byte >= 0x20 && byte < 0x7f ? c : '?';
+        if (c == '\n' || c == '\t')
+            out += c == '\n' && keep_lines ? '\n' : ' ';
+        else
+            out += byte >= 0x20 && byte < 0x7f ? c : '?';
     }
     if (text.size() > limit) out += "...";
     return out;

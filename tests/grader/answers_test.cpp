@@ -29,7 +29,8 @@ TEST(ParseAnswer, KeepsNanForTheJudge) {
 }
 
 TEST(ParseAnswer, EverythingElseIsAnError) {
-    for (const std::string text : {"", "hit", "hit x", "1 2 three", "1,2", "Grade :=>> 100", "\x1b[2J", "miss 1", "unfinished", "1 2 3x", "0x"})
+    for (const std::string text :
+         {"", "hit", "hit x", "1 2 three", "1,2", "Grade :=>> 100", "\x1b[2J", "miss 1", "unfinished", "1 2 3x", "0x"})
         EXPECT_EQ(parse_answer(text).kind, Kind::error) << text;
     EXPECT_EQ(parse_answer(std::string(100000, '1')).text.size(), 4096u);
     std::string many;
@@ -58,7 +59,9 @@ protected:
 };
 
 // A fake render program: answers each query line by the shell's `case`.
-std::string program(const std::string& cases) { return "while read -r line; do case $line in scene*|s) ;; " + cases + " esac; done"; }
+std::string program(const std::string& cases) {
+    return "while read -r line; do case $line in scene*|s) ;; " + cases + " esac; done";
+}
 
 TEST_F(AskTest, MatchesAnswersAndQuestions) {
     const Replies r = replies(program("one) echo 1;; two) echo miss;; three) echo hit 3;;"));

@@ -70,7 +70,8 @@ TEST_F(CompareTest, ASilhouettePixelWithAForeignColourFails) {
 }
 
 TEST_F(CompareTest, NanAndInfinityFailEvenOnSilhouettesAndAreCounted) {
-    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                            -std::numeric_limits<float>::infinity()}) {
         RgbImage p = picture;
         p.at(kEdge, 3)[2] = bad;
         const Comparison c = result(p);

@@ -22,7 +22,8 @@ KnownMutant known(const std::string& id, const Fingerprint& fingerprint) { retur
 
 TEST(Fingerprint, IsWhatDiffersBeyondRounding) {
     EXPECT_TRUE(of(kSolution).empty());
-    EXPECT_TRUE(of({"hit 1.00001", "hit 2", "miss", "0.5 0.5 0.5", "hit 7", "1"}).empty()) << "single precision is no mistake";
+    EXPECT_TRUE(of({"hit 1.00001", "hit 2", "miss", "0.5 0.5 0.5", "hit 7", "1"}).empty())
+        << "single precision is no mistake";
     const Fingerprint f = of({"hit -1", "hit 2", "hit 5", "nan 0.5 0.5", "hit 7", "1"});
     EXPECT_EQ(f, (Fingerprint{{0, "-1"}, {2, "5"}, {3, "nan 0.5 0.5"}}));
 }
@@ -53,8 +54,10 @@ TEST(NearestMutant, IsSilentWhenTwoFit) {
 
 TEST(NearestMutant, IsSilentWhenNothingFits) {
     const auto a = known("A", of({"hit -1", "hit -2", "miss", "0.5 0.5 0.5", "hit 7", "1"}));
-    EXPECT_FALSE(nearest_mutant(of({"hit 5", "hit 6", "miss", "0.5 0.5 0.5", "hit 7", "1"}), {a})) << "wrong in the same places, but otherwise";
-    EXPECT_FALSE(nearest_mutant(of({"hit -1", "hit 2", "miss", "0.5 0.5 0.5", "hit 7", "1"}), {a})) << "half of the mutant's mistakes are missing";
+    EXPECT_FALSE(nearest_mutant(of({"hit 5", "hit 6", "miss", "0.5 0.5 0.5", "hit 7", "1"}), {a}))
+        << "wrong in the same places, but otherwise";
+    EXPECT_FALSE(nearest_mutant(of({"hit -1", "hit 2", "miss", "0.5 0.5 0.5", "hit 7", "1"}), {a}))
+        << "half of the mutant's mistakes are missing";
     EXPECT_FALSE(nearest_mutant({}, {a}));
     EXPECT_FALSE(nearest_mutant({}, {known("none", {})})) << "a mutant without a difference explains nothing";
 }

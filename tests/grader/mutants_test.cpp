@@ -101,7 +101,8 @@ TEST(CommittedFingerprints, BelongToTodaysQuestionsAndMutants) {
     for (const Step& step : read_steps(project.steps())) {
         ASSERT_TRUE(known.steps.count(step.number)) << "run rays mutants --update";
         const StepFingerprints& k = known.steps.at(step.number);
-        EXPECT_EQ(k.questions, questions_hash(diagnostic_questions(step.number, task_ids(step)))) << "run rays mutants " << step.number << " --update";
+        EXPECT_EQ(k.questions, questions_hash(diagnostic_questions(step.number, task_ids(step))))
+            << "run rays mutants " << step.number << " --update";
         std::vector<std::string> have;
         for (const KnownMutant& m : k.mutants) have.push_back(m.id);
         EXPECT_EQ(have, ids[step.number]) << "run rays mutants " << step.number << " --update";

@@ -91,7 +91,8 @@ TEST(Process, BoundsFiles) {
     const TemporaryFolder folder;
     Limits limits;
     limits.output_mb = 1;
-    const Ended e = run_command({{"/bin/sh", "-c", "head -c 5000000 /dev/zero > big"}, {}, folder.path(), limits, false});
+    const Ended e =
+        run_command({{"/bin/sh", "-c", "head -c 5000000 /dev/zero > big"}, {}, folder.path(), limits, false});
     EXPECT_FALSE(e.ok());
     EXPECT_LE(std::filesystem::file_size(folder.path() / "big"), 1u << 20);
 }

@@ -34,7 +34,9 @@ TEST(RayTrees, EqualTreesDoNotDiffer) {
 TEST(RayTrees, NamesDirections) {
     QueryLog t = tree();
     t.queries[1].ray.direction = {0, 4, -3};
-    EXPECT_EQ(difference(t), "depth 1: the shadow ray has a direction that differs by 16.3 degrees: (0, 4, -3), the solution's (0, 3, -4)");
+    EXPECT_EQ(
+        difference(t),
+        "depth 1: the shadow ray has a direction that differs by 16.3 degrees: (0, 4, -3), the solution's (0, 3, -4)");
 }
 
 TEST(RayTrees, NamesHits) {
@@ -74,7 +76,8 @@ TEST(RayTrees, NanDiffers) {
 }
 
 TEST(RayTrees, SurvivesHostileText) {
-    for (const std::string text : {"", "{", "[]", "{\"queries\":3}", "{\"queries\":[{}]}", "{\"queries\":[{\"kind\":5}]}", "Grade :=>> 100"})
+    for (const std::string text :
+         {"", "{", "[]", "{\"queries\":3}", "{\"queries\":[{}]}", "{\"queries\":[{\"kind\":5}]}", "Grade :=>> 100"})
         EXPECT_EQ(first_difference(text, tree().to_json()), "the student's program prints no ray tree");
     EXPECT_EQ(first_difference(std::string(100000, '['), tree().to_json()), "the student's program prints no ray tree");
 }

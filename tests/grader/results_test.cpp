@@ -23,7 +23,8 @@ Results full() {
     r.real = "double";
     r.sandbox_tier = "limits";
     r.complete = true;
-    r.rubric = {{"spheres", "Spheres", 20, 20, false, true, ""}, {"report", "Report", 0, 10, false, false, "not graded yet"}};
+    r.rubric = {{"spheres", "Spheres", 20, 20, false, true, ""},
+                {"report", "Report", 0, 10, false, false, "not graded yet"}};
     Check c;
     c.id = "1.3.unit";
     c.task = "1.3";
@@ -33,13 +34,21 @@ Results full() {
     c.message = "\x1b[31m\"quoted\" \xff\xfe";
     c.diagnosis = {{"mutant", "like M1.3", "M1.3"}, {"hint", "h", {}}};
     c.questions = {{"about", "root", "sphere", "hit 1", "</script>", false}};
-    c.chart = Chart{"t", "x", "y", true, true, 1, 10, {{"student", "student", {{1, 1e-16}, {10, std::nullopt}, {100, NAN}}}}};
+    c.chart =
+        Chart{"t", "x", "y", true, true, 1, 10, {{"student", "student", {{1, 1e-16}, {10, std::nullopt}, {100, NAN}}}}};
     c.image.emplace();
     c.image->max_error = INFINITY;
     c.image->worst_student = {NAN, 1, INFINITY};
     c.image->student = "images/x.exr";
     c.image->trees = RayTrees{"a", "b", "c"};
-    StepResult s{"1_ray_casting", "Ray casting", 1, Verdict::partial, 7, 8, {{"1.3", "Sphere", Verdict::not_started, 0, 8, "hint", "f", 3}}, {c}};
+    StepResult s{"1_ray_casting",
+                 "Ray casting",
+                 1,
+                 Verdict::partial,
+                 7,
+                 8,
+                 {{"1.3", "Sphere", Verdict::not_started, 0, 8, "hint", "f", 3}},
+                 {c}};
     r.steps = {s};
     return r;
 }
@@ -51,7 +60,8 @@ TEST(ResultsJson, FollowsTheSchema) {
     Results empty;
     empty.submission_from = "student";
     empty.real = "double";
-    EXPECT_EQ(schema_problems(json::parse(to_json(empty)), schema()), std::vector<std::string>{}) << "a partial result is valid, too";
+    EXPECT_EQ(schema_problems(json::parse(to_json(empty)), schema()), std::vector<std::string>{})
+        << "a partial result is valid, too";
 }
 
 TEST(ResultsJson, TheSchemaIsStrict) {

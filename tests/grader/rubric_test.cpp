@@ -14,7 +14,9 @@ Step step_one() {
     Step s;
     s.number = 1;
     s.id = "1_ray_casting";
-    s.tasks = {{"1.3", "Sphere", 8, "spheres", "", {}}, {"1.6", "Polygon", 4, "polygons", "", {}}, {"1.10", "Torus", 2, "extra", "", {}}};
+    s.tasks = {{"1.3", "Sphere", 8, "spheres", "", {}},
+               {"1.6", "Polygon", 4, "polygons", "", {}},
+               {"1.10", "Torus", 2, "extra", "", {}}};
     s.scenes = {{"1/one.pov", {"1.3"}, 2, ""}};
     return s;
 }
@@ -22,7 +24,9 @@ Step step_one() {
 StepResult result(double sphere, double polygon, double picture) {
     StepResult r;
     r.id = "1_ray_casting";
-    r.tasks = {{"1.3", "", Verdict::pass, sphere, 8, "", "", 0}, {"1.6", "", Verdict::pass, polygon, 4, "", "", 0}, {"1.10", "", Verdict::pass, 2, 2, "", "", 0}};
+    r.tasks = {{"1.3", "", Verdict::pass, sphere, 8, "", "", 0},
+               {"1.6", "", Verdict::pass, polygon, 4, "", "", 0},
+               {"1.10", "", Verdict::pass, 2, 2, "", "", 0}};
     Check c;
     c.kind = "image";
     c.task = "1.3";
@@ -33,8 +37,10 @@ StepResult result(double sphere, double polygon, double picture) {
 }
 
 Rubric rubric() {
-    return {{{"spheres", "Spheres", 20, false, {"spheres"}, ""}, {"polygons", "Polygons", 20, false, {"polygons"}, ""},
-             {"reflection", "Reflection", 20, false, {"reflection"}, "needs step 3"}, {"extra", "Extra", 5, true, {"extra"}, ""}},
+    return {{{"spheres", "Spheres", 20, false, {"spheres"}, ""},
+             {"polygons", "Polygons", 20, false, {"polygons"}, ""},
+             {"reflection", "Reflection", 20, false, {"reflection"}, "needs step 3"},
+             {"extra", "Extra", 5, true, {"extra"}, ""}},
             30};
 }
 
@@ -105,7 +111,8 @@ TEST(Verdicts, OfRuns) {
 }
 
 TEST(Verdicts, HostileStatisticsSayNothing) {
-    for (const char* text : {"", "{", "[]", "{\"unfinished\":7}", "{\"unfinished\":[{\"task\":1}]}"}) EXPECT_TRUE(unfinished_places(text).empty()) << text;
+    for (const char* text : {"", "{", "[]", "{\"unfinished\":7}", "{\"unfinished\":[{\"task\":1}]}"})
+        EXPECT_TRUE(unfinished_places(text).empty()) << text;
     EXPECT_EQ(unfinished_places(R"({"unfinished":[{"task":"1.3","file":"f","line":9}]})").at(0).line, 9);
 }
 

@@ -40,7 +40,8 @@ TEST_F(SandboxTest, TheFolderHoldsNothingElseAndIsGoneAfterwards) {
 }
 
 TEST_F(SandboxTest, ReferencesAreNotInReachByRelativePath) {
-    const JobResult result = run("cat references/*.exr ../references/*.exr ../../scenes/references/*.exr scenes/references/*.exr > out.exr");
+    const JobResult result =
+        run("cat references/*.exr ../references/*.exr ../../scenes/references/*.exr scenes/references/*.exr > out.exr");
     EXPECT_FALSE(result.files.at("out.exr").taken);
     EXPECT_EQ(result.files.at("out.exr").problem, "is empty");
 }

@@ -34,7 +34,9 @@ protected:
     std::string solution() const { return read_file(project.root / "solutions" / kFile); }
 
     /// The solution with a line put at the beginning of `illuminate`, which every lit pixel asks.
-    std::string solution_with(const std::string& line, const std::string& at = "Illumination illuminate(const Light& light, const Vec3& point) {") const {
+    std::string solution_with(
+        const std::string& line,
+        const std::string& at = "Illumination illuminate(const Light& light, const Vec3& point) {") const {
         std::string text = solution();
         const auto found = text.find(at);
         EXPECT_NE(found, std::string::npos) << "the solution has changed";
@@ -53,7 +55,8 @@ protected:
         const Results results = grade(project, options);
         EXPECT_EQ(results.infrastructure_error, "");
         const auto schema = nlohmann::json::parse(read_file(project.root / "grader" / "results.schema.json"));
-        EXPECT_EQ(schema_problems(nlohmann::json::parse(read_file(out() / "results.json")), schema), std::vector<std::string>{});
+        EXPECT_EQ(schema_problems(nlohmann::json::parse(read_file(out() / "results.json")), schema),
+                  std::vector<std::string>{});
         for (const char c : summary(results, "out")) EXPECT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7f));
         return results;
     }
@@ -110,7 +113,8 @@ TEST_F(SubmissionsTest, ASyntaxErrorIsABuildError) {
     EXPECT_EQ(step.verdict, Verdict::build_error);
     EXPECT_EQ(step.points, 0);
     for (const Check& c : step.checks) EXPECT_EQ(c.verdict, Verdict::build_error);
-    EXPECT_NE(step.checks.at(0).message.find("steps/2_phong/phong.cpp:1"), std::string::npos) << step.checks.at(0).message;
+    EXPECT_NE(step.checks.at(0).message.find("steps/2_phong/phong.cpp:1"), std::string::npos)
+        << step.checks.at(0).message;
 }
 
 TEST_F(SubmissionsTest, AMissingFunctionIsABuildError) {
@@ -146,7 +150,8 @@ TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
 }
 
 TEST_F(SubmissionsTest, PixelsThatAreNoNumbersFail) {
-    put(kFile, solution_with("    Illumination nothing; nothing.radiance = Radiance(std::nanf(\"\")); return nothing;"));
+    put(kFile,
+        solution_with("    Illumination nothing; nothing.radiance = Radiance(std::nanf(\"\")); return nothing;"));
     const StepResult step = run().steps.at(0);
     bool said = false;
     for (const Check& c : step.checks) said = said || (c.kind == "image" && c.message.find("NaN") != std::string::npos);
@@ -155,14 +160,16 @@ TEST_F(SubmissionsTest, PixelsThatAreNoNumbersFail) {
 }
 
 TEST_F(SubmissionsTest, AGradeCannotBePrinted) {
-    put(kFile, solution_with("    std::printf(\"Grade :=>> 100\\n\\x1b[2J{\\\"score\\\":100}\\n\"); std::fflush(stdout); Illumination dark; return dark;"));
+    put(kFile, solution_with("    std::printf(\"Grade :=>> 100\\n\\x1b[2J{\\\"score\\\":100}\\n\"); "
+                             "std::fflush(stdout); Illumination dark; return dark;"));
     const Results r = run();
     EXPECT_LT(r.steps.at(0).points, r.steps.at(0).max / 2);
     EXPECT_EQ(to_json(r).find("\x1b"), std::string::npos);
 }
 
 TEST_F(SubmissionsTest, AFloodOfTextIsStopped) {
-    put(kFile, solution_with("    for (;;) std::puts(\"flood flood flood flood flood flood flood flood flood flood flood\");"));
+    put(kFile, solution_with(
+                   "    for (;;) std::puts(\"flood flood flood flood flood flood flood flood flood flood flood\");"));
     const StepResult step = run().steps.at(0);
     EXPECT_FALSE(has(verdicts(step, "image"), Verdict::infrastructure_error));
     EXPECT_TRUE(has(verdicts(step, "image"), Verdict::fail));
@@ -172,18 +179,23 @@ TEST_F(SubmissionsTest, AnEarlyGoodExitWithoutAPictureFails) {
     put(kFile, solution_with("    std::_Exit(0);"));
     const StepResult step = run().steps.at(0);
     bool said = false;
-    for (const Check& c : step.checks) said = said || c.message.find("the picture was not written") != std::string::npos;
+    for (const Check& c : step.checks)
+        said = said || c.message.find("the picture was not written") != std::string::npos;
     EXPECT_TRUE(said);
     EXPECT_FALSE(has(verdicts(step, "image"), Verdict::pass) && step.points > step.max / 2);
 }
 
 TEST_F(SubmissionsTest, AForgedPictureIsJudgedAsAPicture) {
     // Writes its own "picture" and leaves: an absurd header, a link to the password file, a folder.
-    for (const std::string how : {"FILE* f = std::fopen(\"picture.exr\", \"w\"); std::fputs(\"v/1\\x01\", f); std::fclose(f);", "symlink(\"/etc/passwd\", \"picture.exr\");"}) {
+    for (const std::string how :
+         {"FILE* f = std::fopen(\"picture.exr\", \"w\"); std::fputs(\"v/1\\x01\", f); std::fclose(f);",
+          "symlink(\"/etc/passwd\", \"picture.exr\");"}) {
         put(kFile, solution_with("    { [[maybe_unused]] int ignored = 0; " + how + " std::_Exit(0); }"));
         const StepResult step = run().steps.at(0);
         for (const Check& c : step.checks)
-            if (c.kind == "fresh" && c.task == "2.8") EXPECT_EQ(c.verdict, Verdict::fail) << c.message;
+            if (c.kind == "fresh" && c.task == "2.8") {
+                EXPECT_EQ(c.verdict, Verdict::fail) << c.message;
+            }
     }
 }
 

@@ -15,7 +15,8 @@ RgbImage test_picture(int width, int height) {
         for (int x = 0; x < width; ++x) {
             const float u = float(x) / float(width), v = float(y) / float(height);
             const bool right = x >= width / 3;
-            picture.pixels.push_back({0.1f + 0.5f * u * v, right ? 0.9f - 0.3f * v : 0.2f + 0.1f * v, 0.3f + 0.2f * u * u});
+            picture.pixels.push_back(
+                {0.1f + 0.5f * u * v, right ? 0.9f - 0.3f * v : 0.2f + 0.1f * v, 0.3f + 0.2f * u * u});
         }
     }
     return picture;
@@ -38,7 +39,8 @@ Reference test_reference(const RgbImage& picture, int edge) {
 std::string exr_bytes(const RgbImage& picture) {
     Film film(picture.raster);
     for (int y = 0; y < picture.raster.height; ++y)
-        for (int x = 0; x < picture.raster.width; ++x) film.at(x, y) = Radiance(picture.at(x, y)[0], picture.at(x, y)[1], picture.at(x, y)[2]);
+        for (int x = 0; x < picture.raster.width; ++x)
+            film.at(x, y) = Radiance(picture.at(x, y)[0], picture.at(x, y)[1], picture.at(x, y)[2]);
     const TemporaryFolder folder;
     write_exr(film, (folder.path() / "x.exr").string());
     return read_file(folder.path() / "x.exr");

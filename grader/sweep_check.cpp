@@ -1,0 +1,123 @@
+// Stability: a question over decades of a parameter, charted for the solution, the student and the naive method.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "grader/answers.h"
+#include "grader/checks.h"
+#include "grader/text.h"
+
+namespace rays::grader {
+namespace {
+
+// Where the best answer has no error at all, a logarithmic chart still needs a number: one below every rounding.
+constexpr double kNoError = 1e-18;
+
+/// One program's way through a sweep.
+struct Line {
+    ChartSeries series;
+    int right = 0, counted = 0;  ///< points within the stated range
+    std::string first_wrong;
+};
+
+bool in_range(const Sweep& sweep, const Sweep::Point& point) {
+    return point.x >= sweep.pass_from && point.x <= sweep.pass_to;
+}
+
+std::vector<const Question*> questions_of(const Sweep& sweep) {
+    std::vector<const Question*> questions;
+    for (const Sweep::Point& p : sweep.points)
+        for (const Question& q : p.questions) questions.push_back(&q);
+    return questions;
+}
+
+// `answers` begins with the answers to this point's questions.
+void add_point(Line& line, const Sweep& sweep, const Sweep::Point& point, const Answer* answers) {
+    double worst = 0;
+    bool good = true;
+    for (const Question& q : point.questions) {
+        const Answer& answer = *answers++;
+        const Judgement j = q.judge(answer);
+        worst = std::isfinite(j.error) ? std::max(worst, j.error) : INFINITY;
+        if (!j.ok && good && in_range(sweep, point) && line.first_wrong.empty())
+            line.first_wrong = fmt::format("first at {} = {:.3g}: expected {}, got {}", sweep.x_label, point.x,
+                                           j.expected, plain(answer.text, 120));
+        good = good && j.ok;
+    }
+    const double shown = sweep.log_y ? std::max(worst, kNoError) : worst;
+    line.series.points.emplace_back(point.x, std::isfinite(worst) ? std::optional(shown) : std::nullopt);
+    if (!in_range(sweep, point)) return;
+    ++line.counted;
+    line.right += good;
+}
+
+Line line_of(const Sweep& sweep, const Replies& replies, const char* role) {
+    Line line;
+    line.series.name = line.series.role = role;
+    std::size_t at = 0;
+    for (const Sweep::Point& p : sweep.points) {
+        add_point(line, sweep, p, replies.answers.data() + at);
+        at += p.questions.size();
+    }
+    return line;
+}
+
+bool all_unfinished(const Replies& replies) {
+    return std::all_of(replies.answers.begin(), replies.answers.end(),
+                       [](const Answer& a) { return a.kind == Answer::Kind::unfinished; });
+}
+
+Verdict verdict_of(const Line& line, const Replies& replies) {
+    if (line.counted > 0 && line.right == line.counted) return Verdict::pass;
+    if (all_unfinished(replies)) return Verdict::not_started;
+    const bool missing = std::any_of(replies.answers.begin(), replies.answers.end(),
+                                     [](const Answer& a) { return a.kind == Answer::Kind::missing; });
+    if (missing && replies.ended.timed_out) return Verdict::time_out;
+    if (missing && replies.ended.signal) return Verdict::crash;
+    return 2 * line.right > line.counted ? Verdict::partial : Verdict::fail;
+}
+
+Check empty_check(const Sweep& sweep, double max) {
+    Check check;
+    check.id = sweep.id;
+    check.task = sweep.task;
+    check.kind = "stability";
+    check.title = sweep.title;
+    check.max = max;
+    check.chart =
+        Chart{sweep.title, sweep.x_label, sweep.y_label, sweep.log_x, sweep.log_y, sweep.pass_from, sweep.pass_to, {}};
+    return check;
+}
+
+}  // namespace
+
+Check sweep_check(const Bench& bench, const Sweep& sweep, const std::vector<ChartSeries>& naive, double max) {
+    Check check = empty_check(sweep, max);
+    const auto questions = questions_of(sweep);
+    const bool same = bench.student == bench.solution;
+    const Replies solution = ask(bench.sandbox, bench.solution, questions, bench.limits);
+    const Replies student = same ? solution : ask(bench.sandbox, bench.student, questions, bench.limits);
+    check.seconds = student.ended.wall_s;
+    if (solution.infrastructure || student.infrastructure) {
+        check.verdict = Verdict::infrastructure_error;
+        check.message = solution.infrastructure ? solution.problem : student.problem;
+        return check;
+    }
+    const Line line = line_of(sweep, student, same ? "solution" : "student");
+    if (!same) check.chart->series.push_back(line_of(sweep, solution, "solution").series);
+    check.chart->series.push_back(line.series);
+    check.chart->series.insert(check.chart->series.end(), naive.begin(), naive.end());
+    check.verdict = verdict_of(line, student);
+    check.points = line.counted ? points_for(double(line.right) / line.counted, max) : 0;
+    check.message = fmt::format("right at {} of {} points from {:.3g} to {:.3g}", line.right, line.counted,
+                                sweep.pass_from, sweep.pass_to);
+    if (check.verdict == Verdict::not_started)
+        check.message += "; the task is not written yet";
+    else if (!line.first_wrong.empty())
+        check.message += "; " + line.first_wrong;
+    if (!student.problem.empty()) check.message += "; " + student.problem;
+    return check;
+}
+
+}  // namespace rays::grader
