@@ -24,7 +24,8 @@ namespace rays::sdl {
 struct Budget {
     std::int64_t work = kIdleWork;
     bool can_grow = true;  ///< the first reading: text and objects buy more work
-    std::int64_t memory = kMostMemory;
+    std::int64_t memory_limit = kMostMemory;
+    std::int64_t memory = kMostMemory;  ///< left
     std::size_t objects = 0;
 };
 

@@ -110,7 +110,6 @@ Shared<LightDraft> read_light(Interpreter& in) {
     draft.location = in.vector();
     in.comma();
     draft.light.color = in.rgb();
-    Placement placement;
     for (;;) {
         if (read_shape_item(in, draft) || read_area_item(in, draft)) continue;
         const auto step = read_placement(in);

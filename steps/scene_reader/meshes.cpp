@@ -178,7 +178,7 @@ private:
         for (;;) {
             const Place place = in_.peek().place;
             if (in_.accept(Word::vertex_vectors_)) {
-                read_vectors(mesh_->positions, [this](const V3& v) { return rounded(v); });
+                read_vectors(mesh_->positions, [](const V3& v) { return rounded(v); });
             } else if (in_.accept(Word::normal_vectors_)) {
                 read_vectors(mesh_->normals, [this, place](const V3& v) { return unit_normal(in_, place, v); });
             } else if (in_.accept(Word::uv_vectors_)) {

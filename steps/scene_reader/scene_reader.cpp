@@ -13,7 +13,7 @@ namespace sdl {
 Reading read_once(Sources& sources, const Source& text, const ReadOptions& options, FoldChoices& choices, Budget& budget) {
     choices.next = 0;
     budget.objects = 0;
-    budget.memory = kMostMemory;
+    budget.memory = budget.memory_limit;
     Reading reading;
     Interpreter in(sources, text, options, budget);
     Flattener out(reading.scene, in, choices);

@@ -65,8 +65,8 @@ constexpr Variable kWavelength{Varying::Variable::wavelength_nm, "Wavelength", 3
 
 class Tabulator {
 public:
-    Tabulator(Sources& sources, const Source& text, const ReadOptions& options)
-        : sources_(sources), text_(text), options_(options) {}
+    Tabulator(Sources& sources, const Source& text, const ReadOptions& options, const Budget& budget)
+        : sources_(sources), text_(text), options_(options), budget_(budget) {}
 
     Scene run() {
         Reading reading = read({});
@@ -76,8 +76,7 @@ public:
         if (reading.used_time) variables.push_back(kTime);
         if (reading.used_wavelength) variables.push_back(kWavelength);
         choices_.varying = true;
-        budget_ = {};
-        budget_.work = kWorkAgain;
+        if (budget_.can_grow) budget_.work = kWorkAgain;
         budget_.can_grow = false;
         do {  // until all readings can agree on what is folded
             choices_.changed = false;
@@ -341,9 +340,9 @@ void require_finite(const Scene& scene, const Source& text) {
                                  text.name, paths.found[check.bad]));
 }
 
-Scene read_and_tabulate(Sources& sources, const Source& text, const ReadOptions& options) {
+Scene read_and_tabulate(Sources& sources, const Source& text, const ReadOptions& options, const Budget& budget) {
     try {
-        return Tabulator(sources, text, options).run();
+        return Tabulator(sources, text, options, budget).run();
     } catch (const std::bad_alloc&) {
         throw InputError(fmt::format("{}:1:1: there is not enough memory to read this scene", text.name));
     }
