@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -104,6 +105,12 @@ StudentPrograms solution_as_student(const Project& project, const std::vector<St
     return programs;
 }
 
+// For a person who waits; the result itself goes to standard output.
+void say(const std::string& what) {
+    static const bool terminal = ::isatty(STDERR_FILENO) == 1;
+    if (terminal) fmt::print(stderr, "\r\x1b[K{}", what);
+}
+
 void add_report(const fs::path& out) {
 #ifdef RAYSTEPS_REPORT
     try {
@@ -151,6 +158,7 @@ Results grade(const Project& project, const GradeOptions& options) {
         write_results(results, out / "results.json");
     };
     save(false);
+    say("building the submission");
     const TemporaryFolder objects;
     const fs::path submission = options.submission
                                     ? fs::absolute(*options.submission)
@@ -164,6 +172,7 @@ Results grade(const Project& project, const GradeOptions& options) {
     if (!fs::exists(project.program("render-solution"))) results.infrastructure_error = "render-solution is not built";
     for (const Step& step : steps) {
         if (!results.infrastructure_error.empty()) break;
+        say(fmt::format("grading step {}", step.number));
         const bool built = programs.isolated.count(step.number) != 0;
         const auto known = fingerprints.steps.find(step.number);
         StepOrder order{{project, *sandbox, step, project.program("render-solution"),
@@ -177,7 +186,11 @@ Results grade(const Project& project, const GradeOptions& options) {
         save(false);
     }
     save(true);
-    if (options.report) add_report(out);
+    if (options.report) {
+        say("writing the report");
+        add_report(out);
+    }
+    say("");
     return results;
 }
 

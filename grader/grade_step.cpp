@@ -141,11 +141,14 @@ void add_mutant(const StepOrder& order, std::vector<Check>& checks) {
     }
 }
 
+// Who has not started gets the first hint, who is stuck all of them.
 void add_hints(const Step& step, std::vector<Check>& checks) {
     for (Check& c : checks) {
         const Task* task = step.find(c.task);
-        if (task && !task->hints.empty() && c.mode == "isolated" && (wrong(c) || c.verdict == Verdict::not_started))
-            c.diagnosis.push_back({"hint", task->hints.front(), {}});
+        if (!task || c.mode != "isolated") continue;
+        const std::size_t most = wrong(c) ? task->hints.size() : c.verdict == Verdict::not_started ? 1 : 0;
+        for (std::size_t i = 0; i < std::min(most, task->hints.size()); ++i)
+            c.diagnosis.push_back({"hint", task->hints[i], {}});
     }
 }
 

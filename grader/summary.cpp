@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "grader/text.h"
 
 namespace rays::grader {
@@ -9,13 +11,16 @@ namespace {
 
 std::string points(double p) { return fmt::format("{:.4g}", p); }
 
-std::string check_lines(const Check& c, const std::filesystem::path& out) {
+// Hints belong to a task and are told once, under its first check that is not right.
+std::string check_lines(const Check& c, const std::filesystem::path& out, bool with_hints) {
     std::string text =
         fmt::format("    {} [{}{}] {}: {}\n", plain(c.id), c.kind, c.mode == "isolated" ? "" : ", all mine",
                     to_string(c.verdict), plain(c.message, 400));
-    for (const Diagnosis& d : c.diagnosis)
+    for (const Diagnosis& d : c.diagnosis) {
+        if (d.kind == "hint" && !with_hints) continue;
         text += fmt::format("        {}{}: {}\n", d.kind,
                             d.mutant.empty() ? std::string() : fmt::format(" {}", plain(d.mutant)), plain(d.text, 400));
+    }
     if (c.image && !c.image->student.empty()) {
         text += fmt::format("        pictures: {}", (out / c.image->student).string());
         if (!c.image->reference.empty())
@@ -30,10 +35,12 @@ std::string wrong_checks(const StepResult& step, const std::filesystem::path& ou
     if (step.verdict == Verdict::build_error)
         return step.checks.empty() ? std::string() : fmt::format("    {}\n", plain_lines(step.checks.front().message));
     std::string text;
+    std::set<std::string> told;  // tasks whose hints were
     int not_started = 0;
     for (const Check& c : step.checks) {
         not_started += c.verdict == Verdict::not_started;
-        if (c.verdict != Verdict::pass && c.verdict != Verdict::not_started) text += check_lines(c, out);
+        if (c.verdict == Verdict::pass || c.verdict == Verdict::not_started) continue;
+        text += check_lines(c, out, told.insert(c.task).second);
     }
     if (not_started) text += fmt::format("    {} checks wait for tasks that are not started\n", not_started);
     return text;

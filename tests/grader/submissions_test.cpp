@@ -159,6 +159,20 @@ TEST_F(SubmissionsTest, PixelsThatAreNoNumbersFail) {
     EXPECT_FALSE(has(verdicts(step, "image"), Verdict::crash));
 }
 
+// The course's lamps stand at places of one decimal, those of fresh scenes do not: this one knows only the former.
+TEST_F(SubmissionsTest, PicturesKnownByHeartDoNotCount) {
+    put(kFile, solution_with(
+                   "    if (std::abs(light.location.x * 10 - std::round(light.location.x * 10)) > 1e-6) return {};"));
+    const StepResult step = run().steps.at(0);
+    int withheld = 0;
+    for (const Check& c : step.checks) {
+        if (c.kind != "image" || c.mode != "isolated") continue;
+        EXPECT_EQ(c.points, 0) << c.id;
+        withheld += c.message.find("so it does not count") != std::string::npos;
+    }
+    EXPECT_GT(withheld, 10);
+}
+
 TEST_F(SubmissionsTest, AGradeCannotBePrinted) {
     put(kFile, solution_with("    std::printf(\"Grade :=>> 100\\n\\x1b[2J{\\\"score\\\":100}\\n\"); "
                              "std::fflush(stdout); Illumination dark; return dark;"));
