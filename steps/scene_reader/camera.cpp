@@ -21,20 +21,53 @@ bool read_item(Interpreter& in, CameraDraft& camera, Said& said) {
     if (in.peek().kind != Token::Kind::word) return false;
     const Place place = in.peek().place;
     switch (in.peek().word) {
-        case Word::perspective_: in.take(); camera.kind = Camera::Kind::perspective; return true;
-        case Word::orthographic_: in.take(); camera.kind = Camera::Kind::orthographic; return true;
-        case Word::location_: in.take(); camera.location = in.vector(); return true;
-        case Word::direction_: in.take(); camera.direction = in.vector(); return true;
-        case Word::sky_: in.take(); camera.sky = in.vector(); return true;
-        case Word::right_: in.take(); camera.right = in.vector(); said.right = true; return true;
-        case Word::up_: in.take(); camera.up = in.vector(); said.up = true; return true;
-        case Word::look_at_: in.take(); said.look_at = in.vector(); return true;
-        case Word::focal_point_: in.take(); said.focal_point = in.vector(); return true;
-        case Word::aperture_: in.take(); camera.aperture = in.number(); return true;
+        case Word::perspective_:
+            in.take();
+            camera.kind = Camera::Kind::perspective;
+            return true;
+        case Word::orthographic_:
+            in.take();
+            camera.kind = Camera::Kind::orthographic;
+            return true;
+        case Word::location_:
+            in.take();
+            camera.location = in.vector();
+            return true;
+        case Word::direction_:
+            in.take();
+            camera.direction = in.vector();
+            return true;
+        case Word::sky_:
+            in.take();
+            camera.sky = in.vector();
+            return true;
+        case Word::right_:
+            in.take();
+            camera.right = in.vector();
+            said.right = true;
+            return true;
+        case Word::up_:
+            in.take();
+            camera.up = in.vector();
+            said.up = true;
+            return true;
+        case Word::look_at_:
+            in.take();
+            said.look_at = in.vector();
+            return true;
+        case Word::focal_point_:
+            in.take();
+            said.focal_point = in.vector();
+            return true;
+        case Word::aperture_:
+            in.take();
+            camera.aperture = in.number();
+            return true;
         case Word::angle_:
             in.take();
             said.angle = camera.kind == Camera::Kind::orthographic ? in.number_or(0) : in.number();
-            if (!(*said.angle >= 0 && *said.angle < 180)) in.fail(place, "an angle of view lies between 0 and 180 degrees");
+            if (!(*said.angle >= 0 && *said.angle < 180))
+                in.fail(place, "an angle of view lies between 0 and 180 degrees");
             return true;
         case Word::blur_samples_:
             in.take();
@@ -49,7 +82,8 @@ bool read_item(Interpreter& in, CameraDraft& camera, Said& said) {
             in.note(word.place, fmt::format("'{}' belongs to POV-Ray's focal blur and has no effect", word.text));
             return true;
         }
-        default: break;
+        default:
+            break;
     }
     const auto step = read_placement(in);
     if (step) place_further(said.placement, *step);
@@ -62,7 +96,8 @@ void aim(CameraDraft& camera, const V3& at, Interpreter& in, const Place& place)
     const double right_length = glm::length(camera.right);
     const bool right_handed = glm::dot(glm::cross(camera.up, camera.direction), camera.right) <= 0;
     V3 direction = at - camera.location;
-    if (!(glm::dot(direction, direction) >= kEpsilon)) in.fail(place, "location and look_at are the same point; move one");
+    if (!(glm::dot(direction, direction) >= kEpsilon))
+        in.fail(place, "location and look_at are the same point; move one");
     direction = glm::normalize(direction);
     V3 right = glm::cross(camera.sky, direction);
     if (std::abs(right.x) < kEpsilon && std::abs(right.y) < kEpsilon && std::abs(right.z) < kEpsilon) {
@@ -125,22 +160,25 @@ CameraDraft read_camera(Context& context) {
     }
     place_camera(camera, said.placement);
     if (!in.accept('}')) {
-        in.unexpected("perspective, orthographic, location, direction, right, up, sky, angle, look_at, aperture, focal_point, "
-                      "blur_samples, a transform or '}' in a camera");
+        in.unexpected(
+            "perspective, orthographic, location, direction, right, up, sky, angle, look_at, aperture, focal_point, "
+            "blur_samples, a transform or '}' in a camera");
     }
     return camera;
 }
 
 Camera final_camera(const CameraDraft& draft, Interpreter& in, const Place& place) {
-    for (const auto& [vector, name] : {std::pair{draft.direction, "direction"}, {draft.right, "right"}, {draft.up, "up"}}) {
+    for (const auto& [vector, name] :
+         {std::pair{draft.direction, "direction"}, {draft.right, "right"}, {draft.up, "up"}}) {
         const double length = glm::length(vector);
         if (!(length > 0 && std::isfinite(length))) {
             in.fail(place, fmt::format("the camera's {} vector has length {}; give it a direction", name, length));
         }
     }
-    const double volume = glm::dot(glm::cross(glm::normalize(draft.right), glm::normalize(draft.up)),
-                                   glm::normalize(draft.direction));
-    if (!(std::abs(volume) > 1e-12)) in.fail(place, "the camera's direction, right and up lie in one plane; nothing is seen");
+    const double volume =
+        glm::dot(glm::cross(glm::normalize(draft.right), glm::normalize(draft.up)), glm::normalize(draft.direction));
+    if (!(std::abs(volume) > 1e-12))
+        in.fail(place, "the camera's direction, right and up lie in one plane; nothing is seen");
     Camera camera;
     camera.kind = draft.kind;
     camera.location = Vec3(draft.location);

@@ -14,18 +14,24 @@ float from_srgb(double value) {
 
 bool is_color_key(Word word) {
     switch (word) {
+        // clang-format off
         case Word::color_: case Word::alpha_: case Word::blue_: case Word::filter_: case Word::green_: case Word::red_:
         case Word::transmit_: case Word::rgb_: case Word::rgbf_: case Word::rgbt_: case Word::rgbft_: case Word::srgb_:
         case Word::srgbf_: case Word::srgbt_: case Word::srgbft_: return true;
-        default: return false;
+        // clang-format on
+        default:
+            return false;
     }
 }
 
 bool is_whole_color(Word word) {
     switch (word) {
+        // clang-format off
         case Word::rgb_: case Word::rgbf_: case Word::rgbt_: case Word::rgbft_: case Word::srgb_: case Word::srgbf_:
         case Word::srgbt_: case Word::srgbft_: return true;
-        default: return false;
+        // clang-format on
+        default:
+            return false;
     }
 }
 
@@ -40,16 +46,27 @@ void Interpreter::color_keyword(Word word, Color& color) {
     if (!is_whole_color(word)) {
         const auto value = static_cast<float>(number());
         switch (word) {
-            case Word::red_: color.rgb[0] = value; break;
-            case Word::green_: color.rgb[1] = value; break;
-            case Word::blue_: color.rgb[2] = value; break;
-            case Word::transmit_: color.transmit = value; break;
-            default: color.filter = value;
+            case Word::red_:
+                color.rgb[0] = value;
+                break;
+            case Word::green_:
+                color.rgb[1] = value;
+                break;
+            case Word::blue_:
+                color.rgb[2] = value;
+                break;
+            case Word::transmit_:
+                color.transmit = value;
+                break;
+            default:
+                color.filter = value;
         }
         return;
     }
-    const bool has_filter = word == Word::rgbf_ || word == Word::rgbft_ || word == Word::srgbf_ || word == Word::srgbft_;
-    const bool has_transmit = word == Word::rgbt_ || word == Word::rgbft_ || word == Word::srgbt_ || word == Word::srgbft_;
+    const bool has_filter =
+        word == Word::rgbf_ || word == Word::rgbft_ || word == Word::srgbf_ || word == Word::srgbft_;
+    const bool has_transmit =
+        word == Word::rgbt_ || word == Word::rgbft_ || word == Word::srgbt_ || word == Word::srgbft_;
     const bool is_srgb = word == Word::srgb_ || word == Word::srgbf_ || word == Word::srgbt_ || word == Word::srgbft_;
     Numbers value = expression(3 + has_filter + has_transmit);
     for (int i = 0; i < value.count; ++i) checked(value.at[i], place);

@@ -18,18 +18,29 @@ constexpr double kEpsilon = 1e-10;
 void Interpreter::directive() {
     const Place place{scanner_.source(), scanner_.at() - 1};
     switch (const Word word = scanner_.directive_word(names_)) {
-        case Word::declare_: return declare(false, place);
-        case Word::local_: return declare(true, place);
-        case Word::undef_: return undef_directive(place);
-        case Word::if_: return if_directive(std::abs(condition()) > kEpsilon, place);
-        case Word::ifdef_: return if_directive(is_declared(), place);
-        case Word::ifndef_: return if_directive(!is_declared(), place);
+        case Word::declare_:
+            return declare(false, place);
+        case Word::local_:
+            return declare(true, place);
+        case Word::undef_:
+            return undef_directive(place);
+        case Word::if_:
+            return if_directive(std::abs(condition()) > kEpsilon, place);
+        case Word::ifdef_:
+            return if_directive(is_declared(), place);
+        case Word::ifndef_:
+            return if_directive(!is_declared(), place);
         case Word::else_:
-        case Word::elseif_: return else_directive(place);
-        case Word::end_: return end_directive(place);
-        case Word::while_: return while_directive(place);
-        case Word::for_: return for_directive(place);
-        case Word::switch_: return switch_directive(place);
+        case Word::elseif_:
+            return else_directive(place);
+        case Word::end_:
+            return end_directive(place);
+        case Word::while_:
+            return while_directive(place);
+        case Word::for_:
+            return for_directive(place);
+        case Word::switch_:
+            return switch_directive(place);
         case Word::case_:
         case Word::range_:
             // Falling into the next case: its value no longer matters.
@@ -38,10 +49,14 @@ void Interpreter::directive() {
             }
             static_cast<void>(case_matches(word, 0));
             return;
-        case Word::break_: return break_directive(place);
-        case Word::macro_: return define_macro(place);
-        case Word::include_: return include_directive(place);
-        case Word::version_: return version_directive(place);
+        case Word::break_:
+            return break_directive(place);
+        case Word::macro_:
+            return define_macro(place);
+        case Word::include_:
+            return include_directive(place);
+        case Word::version_:
+            return version_directive(place);
         case Word::default_:
             if (read_default) read_default();
             return;
@@ -49,14 +64,17 @@ void Interpreter::directive() {
         case Word::warning_:
         case Word::debug_:
         case Word::render_:
-        case Word::statistics_: return message_directive(word, place);
-        default: break;
+        case Word::statistics_:
+            return message_directive(word, place);
+        default:
+            break;
     }
     Token found = scanner_.scan(names_);
-    fail(place, fmt::format("#{} is not in the subset that Raysteps reads; known are #version #declare #local #undef #if "
-                            "#ifdef #ifndef #elseif #else #end #switch #case #range #break #while #for #macro #include "
-                            "#default #error #warning #debug",
-                            found.text.substr(0, 40)));
+    fail(place,
+         fmt::format("#{} is not in the subset that Raysteps reads; known are #version #declare #local #undef #if "
+                     "#ifdef #ifndef #elseif #else #end #switch #case #range #break #while #for #macro #include "
+                     "#default #error #warning #debug",
+                     found.text.substr(0, 40)));
 }
 
 double Interpreter::condition() {
@@ -119,7 +137,8 @@ void Interpreter::while_directive(Place opened) {
     block.opened = opened;
     block.again = scanner_.at();
     block.changes = changes_ - 1;
-    if (is_endless(opened)) fail(opened, "this loop never ends: its condition is a constant, and nothing in it is a #break");
+    if (is_endless(opened))
+        fail(opened, "this loop never ends: its condition is a constant, and nothing in it is a #break");
     blocks_.push_back(block);
     turn_while(blocks_.size() - 1);
 }
@@ -128,14 +147,15 @@ bool Interpreter::is_endless(Place opened) {
     const Place condition = scanner_.place();
     const bool is_constant = scanner_.next_is('(') && scanner_.scan(names_).is('(') && [this] {
         const Token token = scanner_.scan(names_);
-        return (token.kind == Token::Kind::number && token.number != 0) || token.is(Word::true_) || token.is(Word::yes_) ||
-               token.is(Word::on_);
+        return (token.kind == Token::Kind::number && token.number != 0) || token.is(Word::true_) ||
+               token.is(Word::yes_) || token.is(Word::on_);
     }() && scanner_.next_is(')');
     bool endless = false;
     if (is_constant) {
         const char* body = scanner_.at();
         skip_block(1, false, opened);
-        endless = std::string_view(body, static_cast<std::size_t>(scanner_.at() - body)).find("break") == std::string_view::npos;
+        endless = std::string_view(body, static_cast<std::size_t>(scanner_.at() - body)).find("break") ==
+                  std::string_view::npos;
     }
     scanner_.move_to(condition.source, condition.at);
     return endless;
@@ -194,18 +214,23 @@ void Interpreter::end_directive(Place place) {
     Block& block = blocks_.back();
     switch (block.kind) {
         case Block::Kind::if_:
-        case Block::Kind::switch_: blocks_.pop_back(); return;
-        case Block::Kind::macro: return return_from_macro();
+        case Block::Kind::switch_:
+            blocks_.pop_back();
+            return;
+        case Block::Kind::macro:
+            return return_from_macro();
         case Block::Kind::while_:
             turn_while(blocks_.size() - 1);
             return;
-        case Block::Kind::for_: break;
+        case Block::Kind::for_:
+            break;
     }
     auto& known = bindings(block.variable);
     Value* slot = known.empty() ? nullptr : known.back().slot.get();
     if (slot && slot->as<Reference>()) slot = slot->as<Reference>()->target.get();
     Numbers* variable = slot ? slot->as<Numbers>() : nullptr;
-    if (!variable || variable->count != 1) fail(block.opened, "this loop's variable was undefined or is no float any more");
+    if (!variable || variable->count != 1)
+        fail(block.opened, "this loop's variable was undefined or is no float any more");
     variable->at[0] += block.step;
     ++changes_;
     const double now = variable->at[0];
@@ -272,7 +297,8 @@ void Interpreter::include_directive(Place place) {
         fail(place, fmt::format("include file {}", error.what()));
     }
     if (!source) {
-        fail(place, fmt::format("include file '{}' is neither in the scene's folder nor in POV-Ray's include folder", name));
+        fail(place,
+             fmt::format("include file '{}' is neither in the scene's folder nor in POV-Ray's include folder", name));
     }
     spend(1000);
     files_.push_back({scanner_.place(), blocks_.size()});

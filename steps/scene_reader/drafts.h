@@ -104,7 +104,7 @@ struct PolygonDraft {
 };
 struct MeshDraft {
     std::vector<V3> positions, normals;
-    std::vector<Mesh::Face> faces;                ///< material: into `surfaces`
+    std::vector<Mesh::Face> faces;  ///< material: into `surfaces`
     std::vector<Shared<SurfaceDraft>> surfaces;
 };
 struct BoxDraft {
@@ -132,8 +132,9 @@ struct PatchDraft {
 struct NothingDraft {};
 
 struct ObjectDraft {
-    std::variant<NothingDraft, SphereDraft, PlaneDraft, TriangleDraft, Shared<PolygonDraft>, Shared<MeshDraft>, BoxDraft,
-                 DiscDraft, ConeDraft, QuadricDraft, TorusDraft, Shared<PatchDraft>, UnionDraft, Shared<LightDraft>>
+    std::variant<NothingDraft, SphereDraft, PlaneDraft, TriangleDraft, Shared<PolygonDraft>, Shared<MeshDraft>,
+                 BoxDraft, DiscDraft, ConeDraft, QuadricDraft, TorusDraft, Shared<PatchDraft>, UnionDraft,
+                 Shared<LightDraft>>
         shape;
     Placement placement;
     Shared<SurfaceDraft> surface;

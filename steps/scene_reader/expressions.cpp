@@ -36,44 +36,23 @@ void combine(Numbers& left, Numbers right, Operation operation) {
     for (int i = 0; i < left.count; ++i) left.at[i] = operation(left.at[i], right.at[i]);
 }
 
-constexpr bool is_float_function(Word word) {
-    switch (word) {
-        case Word::abs_: case Word::acos_: case Word::acosh_: case Word::asc_: case Word::asin_: case Word::asinh_:
-        case Word::atan_: case Word::atan2_: case Word::atanh_: case Word::bitwise_and_: case Word::bitwise_or_:
-        case Word::bitwise_xor_: case Word::ceil_: case Word::clock_: case Word::clock_on_: case Word::cos_:
-        case Word::cosh_: case Word::defined_: case Word::degrees_: case Word::dimension_size_:
-        case Word::dimensions_: case Word::div_: case Word::exp_: case Word::false_: case Word::file_exists_:
-        case Word::floor_: case Word::int_: case Word::ln_: case Word::log_: case Word::max_: case Word::min_:
-        case Word::mod_: case Word::no_: case Word::now_: case Word::off_: case Word::on_: case Word::pi_:
-        case Word::pow_: case Word::radians_: case Word::rand_: case Word::seed_: case Word::select_: case Word::sin_:
-        case Word::sinh_: case Word::sqrt_: case Word::strcmp_: case Word::strlen_: case Word::tan_:
-        case Word::tanh_: case Word::true_: case Word::val_: case Word::vdot_: case Word::version_:
-        case Word::vlength_: case Word::yes_: return true;
-        default: return false;
-    }
-}
-
-constexpr bool is_vector_word(Word word) {
-    switch (word) {
-        case Word::vaxis_rotate_: case Word::vcross_: case Word::vnormalize_: case Word::vrotate_: case Word::x_:
-        case Word::y_: case Word::z_: case Word::t_: case Word::u_: case Word::v_: return true;
-        default: return false;
-    }
-}
-
 }  // namespace
 
 bool Interpreter::number_follows() {
     const Token& token = peek();
     switch (token.kind) {
-        case Token::Kind::number: return true;
-        case Token::Kind::symbol: return token.symbol == '(' || token.symbol == '+' || token.symbol == '-' || token.symbol == '!';
-        case Token::Kind::word: return is_float_function(token.word) || (parameters_.function && is_vector_word(token.word));
+        case Token::Kind::number:
+            return true;
+        case Token::Kind::symbol:
+            return token.symbol == '(' || token.symbol == '+' || token.symbol == '-' || token.symbol == '!';
+        case Token::Kind::word:
+            return is_float_function(token.word) || (parameters_.function && is_vector_word(token.word));
         case Token::Kind::value: {
             const auto* numbers = token.value->as<Numbers>();
             return (numbers && numbers->count == 1) || token.value->as<Shared<Function>>();
         }
-        default: return false;
+        default:
+            return false;
     }
 }
 
@@ -117,18 +96,25 @@ Numbers Interpreter::comparison(int wanted) {
         const Token& token = peek();
         if (token.kind != Token::Kind::symbol) return left;
         const char symbol = token.symbol;
-        if (symbol != '<' && symbol != '>' && symbol != '=' && symbol != 'l' && symbol != 'g' && symbol != 'n') return left;
+        if (symbol != '<' && symbol != '>' && symbol != '=' && symbol != 'l' && symbol != 'g' && symbol != 'n')
+            return left;
         take();
         const Numbers right = sum(left.count);
         combine(left, right, [symbol](double a, double b) {
             const bool equal = !is_true(a - b);
             switch (symbol) {
-                case '<': return double(a < b);
-                case '>': return double(a > b);
-                case 'l': return double(a <= b || equal);
-                case 'g': return double(a >= b || equal);
-                case '=': return double(equal);
-                default: return double(!equal);
+                case '<':
+                    return double(a < b);
+                case '>':
+                    return double(a > b);
+                case 'l':
+                    return double(a <= b || equal);
+                case 'g':
+                    return double(a >= b || equal);
+                case '=':
+                    return double(equal);
+                default:
+                    return double(!equal);
             }
         });
     }
@@ -140,13 +126,20 @@ double Interpreter::string_comparison() {
     if (symbol.kind != Token::Kind::symbol) fail(symbol, "expected a comparison after a string");
     const int order = left.compare(string());
     switch (symbol.symbol) {
-        case '<': return order < 0;
-        case '>': return order > 0;
-        case 'l': return order <= 0;
-        case 'g': return order >= 0;
-        case '=': return order == 0;
-        case 'n': return order != 0;
-        default: fail(symbol, "expected a comparison after a string");
+        case '<':
+            return order < 0;
+        case '>':
+            return order > 0;
+        case 'l':
+            return order <= 0;
+        case 'g':
+            return order >= 0;
+        case '=':
+            return order == 0;
+        case 'n':
+            return order != 0;
+        default:
+            fail(symbol, "expected a comparison after a string");
     }
 }
 
@@ -208,8 +201,10 @@ Numbers Interpreter::factor(int wanted) {
 Numbers Interpreter::primary(int wanted) {
     const Token token = take();
     switch (token.kind) {
-        case Token::Kind::number: return filled(token.number, wanted);
-        case Token::Kind::value: return value_of(token, wanted);
+        case Token::Kind::number:
+            return filled(token.number, wanted);
+        case Token::Kind::value:
+            return value_of(token, wanted);
         case Token::Kind::symbol:
             if (token.symbol == '(') {
                 const Numbers value = expression(wanted);
@@ -233,7 +228,8 @@ Numbers Interpreter::primary(int wanted) {
             if (token.word == Word::v_) return {{0, 1}, 2};
             break;
         }
-        default: break;
+        default:
+            break;
     }
     peeked_ = token;
     has_peeked_ = true;
@@ -277,17 +273,20 @@ void Interpreter::component(Numbers& numbers) {
     const Token token = take();
     int i = -1;
     switch (token.kind == Token::Kind::word ? token.word : Word::other_) {
+        // clang-format off
         case Word::x_: case Word::u_: case Word::red_: i = 0; break;
         case Word::y_: case Word::v_: case Word::green_: i = 1; break;
         case Word::z_: case Word::blue_: i = 2; break;
         case Word::t_: case Word::filter_: i = 3; break;
         case Word::transmit_: i = 4; break;
         case Word::gray_:
+            // clang-format on
             promote(numbers, 3);
             // POV-Ray's weights of red, green and blue.
             numbers = filled(0.297 * numbers.at[0] + 0.589 * numbers.at[1] + 0.114 * numbers.at[2], 1);
             return;
-        default: fail(token, "expected x, y, z, u, v, t, red, green, blue, filter, transmit or gray after the point");
+        default:
+            fail(token, "expected x, y, z, u, v, t, red, green, blue, filter, transmit or gray after the point");
     }
     if (i >= numbers.count) fail(token, fmt::format("a value of {} components has no '{}'", numbers.count, token.text));
     numbers = filled(numbers.at[i], 1);
@@ -308,7 +307,8 @@ double Interpreter::number() {
 int Interpreter::integer(std::string_view what, int least, int most) {
     const Place place = peek().place;
     const double value = std::trunc(number());
-    if (!(value >= least && value <= most)) fail(place, fmt::format("{} is {}; it lies between {} and {}", what, value, least, most));
+    if (!(value >= least && value <= most))
+        fail(place, fmt::format("{} is {}; it lies between {} and {}", what, value, least, most));
     return static_cast<int>(value);
 }
 

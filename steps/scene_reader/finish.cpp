@@ -68,15 +68,27 @@ bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
     if (in.peek().kind != Token::Kind::word) return false;
     const Place place = in.peek().place;
     switch (in.peek().word) {
-        case Word::ambient_: in.take(); finish.ambient = in.rgb(); return true;
-        case Word::emission_: in.take(); finish.emission = in.rgb(); return true;
-        case Word::diffuse_: in.take(); read_diffuse(in, finish); return true;
+        case Word::ambient_:
+            in.take();
+            finish.ambient = in.rgb();
+            return true;
+        case Word::emission_:
+            in.take();
+            finish.emission = in.rgb();
+            return true;
+        case Word::diffuse_:
+            in.take();
+            read_diffuse(in, finish);
+            return true;
         case Word::phong_:
             in.take();
             albedo.phong = in.accept(Word::albedo_) || albedo.phong;
             finish.phong = single(in);
             return true;
-        case Word::phong_size_: in.take(); finish.phong_size = single(in); return true;
+        case Word::phong_size_:
+            in.take();
+            finish.phong_size = single(in);
+            return true;
         case Word::specular_:
             in.take();
             albedo.specular = in.accept(Word::albedo_) || albedo.specular;
@@ -87,8 +99,14 @@ bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
             finish.roughness = single(in);
             if (!(finish.roughness > 0)) in.fail(place, "roughness must be greater than 0");
             return true;
-        case Word::metallic_: in.take(); finish.metallic = static_cast<float>(in.number_or(1)); return true;
-        case Word::reflection_: in.take(); read_reflection(in, finish.reflection); return true;
+        case Word::metallic_:
+            in.take();
+            finish.metallic = static_cast<float>(in.number_or(1));
+            return true;
+        case Word::reflection_:
+            in.take();
+            read_reflection(in, finish.reflection);
+            return true;
         case Word::reflection_exponent_: {
             in.take();
             const double exponent = in.number();
@@ -96,10 +114,18 @@ bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
             finish.reflection.exponent = static_cast<float>(1 / exponent);
             return true;
         }
-        case Word::conserve_energy_: in.take(); finish.conserve_energy = true; return true;
-        case Word::brilliance_: only(in, 1); return true;
-        case Word::crand_: only(in, 0); return true;
-        default: return false;
+        case Word::conserve_energy_:
+            in.take();
+            finish.conserve_energy = true;
+            return true;
+        case Word::brilliance_:
+            only(in, 1);
+            return true;
+        case Word::crand_:
+            only(in, 0);
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -112,8 +138,9 @@ Finish read_finish(Interpreter& in, Finish finish) {
     while (read_item(in, finish, albedo)) {
     }
     if (!in.accept('}')) {
-        in.unexpected("ambient, diffuse, emission, phong, phong_size, specular, roughness, metallic, reflection, conserve_energy "
-                      "or '}' in a finish");
+        in.unexpected(
+            "ambient, diffuse, emission, phong, phong_size, specular, roughness, metallic, reflection, conserve_energy "
+            "or '}' in a finish");
     }
     // POV-Ray's normalisations of `albedo` (methods: Lewis; Blinn-Phong over the hemisphere).
     if (albedo.phong) finish.phong *= (finish.phong_size + 1) / 2;

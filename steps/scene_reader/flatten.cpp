@@ -73,7 +73,8 @@ void Flattener::add_leaf(const ObjectDraft& draft, const Inherited& inherited) {
     object.no_shadow = draft.no_shadow || inherited.no_shadow;
     object.hollow = draft.hollow_said ? draft.hollow : inherited.hollow;
     const Placement placement = chain(draft.placement, inherited.placement);
-    if (placement && !is_finite(*placement)) in_.fail(draft.place, "this object's transforms multiply beyond all numbers");
+    if (placement && !is_finite(*placement))
+        in_.fail(draft.place, "this object's transforms multiply beyond all numbers");
     add_shape(draft, placement, object);
     if (draft.surface) {
         Worn own{draft.surface, chain(draft.surface_placement, inherited.placement), kNone, false};
@@ -115,9 +116,7 @@ std::uint32_t Flattener::clip_list(const Inherited& inherited) {
     return append(scene_.clips, std::move(list));
 }
 
-std::uint32_t Flattener::transform(const Affine& map) {
-    return append(scene_.transforms, to_transform(map));
-}
+std::uint32_t Flattener::transform(const Affine& map) { return append(scene_.transforms, to_transform(map)); }
 
 namespace {
 
@@ -293,7 +292,8 @@ void Flattener::add_mesh(const Shared<MeshDraft>& draft, const Placement& placem
             return;
         }
     }
-    in_.hold((draft->positions.size() + draft->normals.size()) * sizeof(Vec3) + draft->faces.size() * sizeof(Mesh::Face));
+    in_.hold((draft->positions.size() + draft->normals.size()) * sizeof(Vec3) +
+             draft->faces.size() * sizeof(Mesh::Face));
     in_.spend(static_cast<std::int64_t>(draft->faces.size() / 8));
     Mesh mesh;
     mesh.positions.reserve(draft->positions.size());

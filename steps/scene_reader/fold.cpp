@@ -20,7 +20,8 @@ double similarity(const M3& linear) {
     const double square = (squares[0][0] + squares[1][1] + squares[2][2]) / 3;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            // Rotations by cos and sin are orthogonal to a few units in the last place; 1e-13 allows for chains of them.
+            // Rotations by cos and sin are orthogonal to a few units in the last place; 1e-13 allows for chains of
+            // them.
             if (!(std::abs(squares[i][j] - (i == j ? square : 0)) <= 1e-13 * square)) return 0;
         }
     }
@@ -66,8 +67,8 @@ bool Flattener::fold(ConeDraft& cone, const Placement& placement) {
     if (!placement) return true;
     const double factor = similarity(placement->linear);
     if (!choices_.choose(factor > 0)) return false;
-    cone = {placement->point(cone.base), placement->point(cone.cap), cone.base_radius * factor, cone.cap_radius * factor,
-            cone.open};
+    cone = {placement->point(cone.base), placement->point(cone.cap), cone.base_radius * factor,
+            cone.cap_radius * factor, cone.open};
     return true;
 }
 

@@ -33,12 +33,28 @@ bool read_statement(Context& context) {
     const Token word = in.peek();
     if (word.kind == Token::Kind::word) {
         switch (word.word) {
-            case Word::camera_: in.take(); read_scene_camera(context, word.place); return true;
-            case Word::background_: in.take(); read_background(context); return true;
-            case Word::global_settings_: in.take(); read_global_settings(context); return true;
-            case Word::default_: in.take(); read_default(context); return true;
-            case Word::media_: in.take(); context.out.add_atmosphere(read_media(in)); return true;
-            default: break;
+            case Word::camera_:
+                in.take();
+                read_scene_camera(context, word.place);
+                return true;
+            case Word::background_:
+                in.take();
+                read_background(context);
+                return true;
+            case Word::global_settings_:
+                in.take();
+                read_global_settings(context);
+                return true;
+            case Word::default_:
+                in.take();
+                read_default(context);
+                return true;
+            case Word::media_:
+                in.take();
+                context.out.add_atmosphere(read_media(in));
+                return true;
+            default:
+                break;
         }
     }
     const auto object = read_object(context);
@@ -53,9 +69,11 @@ void read_frame(Context& context) {
     while (in.peek().kind != Token::Kind::end) {
         if (in.peek().is(';')) in.fail(in.peek(), "a ';' that ends nothing; remove it");
         if (!read_statement(context)) {
-            in.unexpected("a camera, a light_source, an object (sphere, plane, triangle, smooth_triangle, polygon, mesh, mesh2, box, "
-                          "disc, cylinder, cone, quadric, torus, bicubic_patch, union), background, global_settings, media or a "
-                          "directive");
+            in.unexpected(
+                "a camera, a light_source, an object (sphere, plane, triangle, smooth_triangle, polygon, mesh, mesh2, "
+                "box, "
+                "disc, cylinder, cone, quadric, torus, bicubic_patch, union), background, global_settings, media or a "
+                "directive");
         }
     }
     if (!context.has_camera) {
@@ -80,14 +98,36 @@ bool read_thing(Context& context, Value& result) {
             set(result, read_pigment(in, context.default_surface->pigment));
             in.expect('}', "a pigment");
             return true;
-        case Word::finish_: in.take(); set(result, FinishDraft{read_finish(in, context.default_surface->finish)}); return true;
-        case Word::interior_: in.take(); result.is = read_interior(in, nullptr); return true;
-        case Word::material_: in.take(); set(result, read_material(context, {})); return true;
-        case Word::media_: in.take(); set(result, read_media(in)); return true;
-        case Word::density_: in.take(); set(result, read_density(in)); return true;
-        case Word::transform_: in.take(); set(result, read_transform(in)); return true;
-        case Word::camera_: in.take(); set(result, read_camera(context)); return true;
-        default: break;
+        case Word::finish_:
+            in.take();
+            set(result, FinishDraft{read_finish(in, context.default_surface->finish)});
+            return true;
+        case Word::interior_:
+            in.take();
+            result.is = read_interior(in, nullptr);
+            return true;
+        case Word::material_:
+            in.take();
+            set(result, read_material(context, {}));
+            return true;
+        case Word::media_:
+            in.take();
+            set(result, read_media(in));
+            return true;
+        case Word::density_:
+            in.take();
+            set(result, read_density(in));
+            return true;
+        case Word::transform_:
+            in.take();
+            set(result, read_transform(in));
+            return true;
+        case Word::camera_:
+            in.take();
+            set(result, read_camera(context));
+            return true;
+        default:
+            break;
     }
     auto object = read_object(context);
     if (object) set(result, std::move(*object));

@@ -44,7 +44,9 @@ Shared<Media::GridDensity> read_df3(Interpreter& in) {
     } catch (const InputError& error) {
         in.fail(name, error.what());
     }
-    const auto byte = [&bytes](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])); };
+    const auto byte = [&bytes](std::size_t i) {
+        return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i]));
+    };
     if (bytes.size() < 6) in.fail(name, "this density file is too short for its header");
     auto grid = std::make_shared<Media::GridDensity>();
     std::size_t cells = 1;
@@ -54,7 +56,8 @@ Shared<Media::GridDensity> read_df3(Interpreter& in) {
     }
     const std::size_t width = cells ? (bytes.size() - 6) / cells : 0;
     if ((width != 1 && width != 2 && width != 4) || width * cells != bytes.size() - 6) {
-        in.fail(name, fmt::format("this density file has {} bytes for {} cells; 1, 2 or 4 a cell are known", bytes.size() - 6, cells));
+        in.fail(name, fmt::format("this density file has {} bytes for {} cells; 1, 2 or 4 a cell are known",
+                                  bytes.size() - 6, cells));
     }
     in.spend(static_cast<std::int64_t>(cells));
     in.hold(cells * sizeof(float));
@@ -92,7 +95,8 @@ void read_pattern(Interpreter& in, DensityDraft& density) {
         density.form = Media::SphericalDensity{};
     } else if (in.accept(Word::gradient_)) {
         density.form = Media::LinearDensity{0, Vec3(in.vector())};
-        in.note(place, "gradient is clamped to 0 and 1 where POV-Ray repeats it: keep the medium within its first period");
+        in.note(place,
+                "gradient is clamped to 0 and 1 where POV-Ray repeats it: keep the medium within its first period");
     } else if (in.accept(Word::density_file_)) {
         if (!in.accept(Word::df3_)) in.unexpected("df3");
         density.form = read_df3(in);
@@ -104,14 +108,20 @@ void read_pattern(Interpreter& in, DensityDraft& density) {
 bool read_limits_item(Interpreter& in, Media& media) {
     const Token word = in.peek();
     switch (word.word) {
-        case Word::intervals_: in.take(); media.intervals = in.integer("intervals", 1, 1'000'000); return true;
+        case Word::intervals_:
+            in.take();
+            media.intervals = in.integer("intervals", 1, 1'000'000);
+            return true;
         case Word::samples_:
             in.take();
             media.samples_min = media.samples_max = in.integer("samples", 1, 1'000'000);
             in.comma();
             if (in.number_follows()) media.samples_max = in.integer("samples", media.samples_min, 1'000'000);
             return true;
-        case Word::method_: in.take(); media.method = in.integer("method", 1, 3); return true;
+        case Word::method_:
+            in.take();
+            media.method = in.integer("method", 1, 3);
+            return true;
         case Word::jitter_:
         case Word::aa_threshold_:
         case Word::aa_level_:
@@ -121,9 +131,11 @@ bool read_limits_item(Interpreter& in, Media& media) {
         case Word::collect_:
             in.take();
             in.number_or(1);
-            in.note(word.place, fmt::format("'{}' belongs to POV-Ray's way of sampling media and has no effect", word.text));
+            in.note(word.place,
+                    fmt::format("'{}' belongs to POV-Ray's way of sampling media and has no effect", word.text));
             return true;
-        default: return false;
+        default:
+            return false;
     }
 }
 
@@ -154,7 +166,8 @@ DensityDraft read_density(Interpreter& in) {
         }
     }
     if (!in.accept('}')) {
-        in.unexpected("a color, spherical, gradient, density_file df3, interpolate, color_map, a transform or '}' in a density");
+        in.unexpected(
+            "a color, spherical, gradient, density_file df3, interpolate, color_map, a transform or '}' in a density");
     }
     return density;
 }
@@ -182,7 +195,8 @@ MediaDraft read_media(Interpreter& in) {
         }
     }
     if (!in.accept('}')) {
-        in.unexpected("absorption, emission, scattering, density, method, intervals, samples, a transform or '}' in media");
+        in.unexpected(
+            "absorption, emission, scattering, density, method, intervals, samples, a transform or '}' in media");
     }
     return draft;
 }
@@ -222,8 +236,9 @@ Shared<InteriorDraft> read_interior(Interpreter& in, Shared<InteriorDraft> start
         }
     }
     if (!in.accept('}')) {
-        in.unexpected("ior, dispersion, dispersion_samples, caustics, fade_distance, fade_power, fade_color, media or '}' in an "
-                      "interior");
+        in.unexpected(
+            "ior, dispersion, dispersion_samples, caustics, fade_distance, fade_power, fade_color, media or '}' in an "
+            "interior");
     }
     return draft;
 }
@@ -237,7 +252,8 @@ MaterialDraft read_material(Context& context, MaterialDraft start) {
         const Place place = in.peek().place;
         if (in.accept(Word::texture_)) {
             in.expect('{', "a texture");
-            if (material.surface) in.fail(place, "layered textures are not in the subset; give the material one texture");
+            if (material.surface)
+                in.fail(place, "layered textures are not in the subset; give the material one texture");
             material.surface = read_texture(context);
             in.expect('}', "a texture");
         } else if (in.accept(Word::interior_)) {

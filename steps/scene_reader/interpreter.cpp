@@ -73,7 +73,8 @@ void Interpreter::fetch() {
                     }
                 }
                 continue;
-            default: return;
+            default:
+                return;
         }
     }
 }
@@ -132,11 +133,13 @@ void Interpreter::expect(char symbol, std::string_view where) {
 void Interpreter::unexpected(std::string_view wanted) {
     const Token token = peek();
     if (token.kind == Token::Kind::word && token.word == Word::other_) {
-        fail(token, fmt::format("'{}' is not in the subset that Raysteps reads; here {} can stand (see scenes/README.md)",
-                                token.text, wanted));
+        fail(token,
+             fmt::format("'{}' is not in the subset that Raysteps reads; here {} can stand (see scenes/README.md)",
+                         token.text, wanted));
     }
     if (token.kind == Token::Kind::name) {
-        fail(token, fmt::format("'{}' is neither a word of the language nor declared; expected {}", token.text, wanted));
+        fail(token,
+             fmt::format("'{}' is neither a word of the language nor declared; expected {}", token.text, wanted));
     }
     if (token.kind == Token::Kind::value) {
         fail(token, fmt::format("'{}' is {}; expected {}", token.text, kind_name(*token.value), wanted));
@@ -195,7 +198,8 @@ void Interpreter::out_of_work() {
 }
 
 void Interpreter::out_of_memory() {
-    fail(scanner_.place(), "this scene needs too much memory; use a mesh, share textures, or end the loop that fills it");
+    fail(scanner_.place(),
+         "this scene needs too much memory; use a mesh, share textures, or end the loop that fills it");
 }
 
 }  // namespace rays::sdl

@@ -39,7 +39,8 @@ public:
     /// `#default { ... }`.
     std::function<void()> read_default;
 
-    // ---- tokens ------------------------------------------------------------------------------------------------------
+    // ---- tokens
+    // ------------------------------------------------------------------------------------------------------
     const Token& peek() {
         if (!has_peeked_) {
             fetch();
@@ -66,7 +67,8 @@ public:
         return thing;
     }
 
-    // ---- expressions -------------------------------------------------------------------------------------------------
+    // ---- expressions
+    // -------------------------------------------------------------------------------------------------
     bool number_follows();  ///< a float expression may begin here
     bool vector_follows();  ///< any expression of floats
     bool color_follows();   ///< the same, or a colour's keyword
@@ -78,12 +80,13 @@ public:
     std::size_t count(std::string_view what, std::size_t most);
     V2 vector2();
     V3 vector();
-    Color color();    ///< five components
-    Radiance rgb();   ///< three
+    Color color();   ///< five components
+    Radiance rgb();  ///< three
     std::string string();
     bool string_follows();
 
-    // ---- messages ----------------------------------------------------------------------------------------------------
+    // ---- messages
+    // ----------------------------------------------------------------------------------------------------
     [[noreturn]] void fail(const Place& place, std::string_view what) const;
     [[noreturn]] void fail(const Token& token, std::string_view what) const { fail(token.place, what); }
     /// The next token is not what is wanted.
@@ -224,7 +227,7 @@ private:
         double switch_value = 0;
         NameId variable = 0;
         double last = 0, step = 0;
-        std::int64_t changes = 0;     ///< of variables, when the turn began: a turn without any goes on for ever
+        std::int64_t changes = 0;  ///< of variables, when the turn began: a turn without any goes on for ever
         Shared<Macro> macro;
         Place come_back;
     };
@@ -253,10 +256,10 @@ private:
     std::int64_t changes_ = 0;
     std::vector<Block> blocks_;
     std::vector<File> files_;
-    std::vector<std::vector<Binding>> bindings_;     ///< by name, innermost scope last
-    std::vector<std::vector<NameId>> scopes_;        ///< the names bound in each; scope 0 is global
+    std::vector<std::vector<Binding>> bindings_;  ///< by name, innermost scope last
+    std::vector<std::vector<NameId>> scopes_;     ///< the names bound in each; scope 0 is global
     Parameters parameters_;
-    std::vector<std::uint32_t> random_;              ///< rand()'s streams
+    std::vector<std::uint32_t> random_;  ///< rand()'s streams
     double version_ = 3.7;
     std::vector<std::string> notes_;
     std::vector<const char*> noted_;  ///< where; a loop passes the same place often

@@ -23,7 +23,8 @@ void read_area(Interpreter& in, LightDraft& draft) {
 /// point_at, radius, falloff and tightness belong to lights with a direction.
 void require_direction(Interpreter& in, const Token& word, const Light& light, bool or_parallel) {
     if (light.kind == Light::Kind::point && !(or_parallel && light.parallel)) {
-        in.fail(word, fmt::format("'{}' needs spotlight or cylinder{} in front of it", word.text, or_parallel ? " or parallel" : ""));
+        in.fail(word, fmt::format("'{}' needs spotlight or cylinder{} in front of it", word.text,
+                                  or_parallel ? " or parallel" : ""));
     }
 }
 
@@ -52,8 +53,14 @@ bool read_shape_item(Interpreter& in, LightDraft& draft) {
             light.tightness = 0;
             light.parallel = true;
             return true;
-        case Word::parallel_: in.take(); light.parallel = true; return true;
-        case Word::shadowless_: in.take(); light.shadowless = true; return true;
+        case Word::parallel_:
+            in.take();
+            light.parallel = true;
+            return true;
+        case Word::shadowless_:
+            in.take();
+            light.shadowless = true;
+            return true;
         case Word::point_at_:
             require_direction(in, in.take(), light, true);
             draft.point_at = in.vector();
@@ -70,9 +77,16 @@ bool read_shape_item(Interpreter& in, LightDraft& draft) {
             require_direction(in, in.take(), light, false);
             light.tightness = static_cast<Real>(in.number());
             return true;
-        case Word::fade_distance_: in.take(); light.fade_distance = static_cast<Real>(in.number()); return true;
-        case Word::fade_power_: in.take(); light.fade_power = static_cast<Real>(in.number()); return true;
-        default: return false;
+        case Word::fade_distance_:
+            in.take();
+            light.fade_distance = static_cast<Real>(in.number());
+            return true;
+        case Word::fade_power_:
+            in.take();
+            light.fade_power = static_cast<Real>(in.number());
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -81,11 +95,26 @@ bool read_area_item(Interpreter& in, LightDraft& draft) {
     if (in.peek().kind != Token::Kind::word) return false;
     const Token word = in.peek();
     switch (word.word) {
-        case Word::area_light_: in.take(); read_area(in, draft); return true;
-        case Word::adaptive_: in.take(); light.adaptive = in.integer("adaptive", 0, 100); return true;
-        case Word::jitter_: in.take(); light.jitter = true; return true;
-        case Word::circular_: in.take(); light.circular = true; return true;
-        case Word::orient_: in.take(); light.orient = true; return true;
+        case Word::area_light_:
+            in.take();
+            read_area(in, draft);
+            return true;
+        case Word::adaptive_:
+            in.take();
+            light.adaptive = in.integer("adaptive", 0, 100);
+            return true;
+        case Word::jitter_:
+            in.take();
+            light.jitter = true;
+            return true;
+        case Word::circular_:
+            in.take();
+            light.circular = true;
+            return true;
+        case Word::orient_:
+            in.take();
+            light.orient = true;
+            return true;
         case Word::area_illumination_:
         case Word::media_attenuation_:
         case Word::media_interaction_:
@@ -98,7 +127,8 @@ bool read_area_item(Interpreter& in, LightDraft& draft) {
             read_object_photons(in, {});
             in.note(word.place, "photons of a light are read and have no effect: every light sends them to targets");
             return true;
-        default: return false;
+        default:
+            return false;
     }
 }
 
@@ -127,12 +157,15 @@ Shared<LightDraft> read_light(Interpreter& in) {
     if (light.circular && (light.size_u <= 1 || light.size_v <= 1)) {
         in.fail(place, "a circular area light needs more than one point along each axis");
     }
-    if ((light.kind != Light::Kind::point || light.parallel) && !(glm::length(draft.point_at - draft.location) > 1e-10)) {
+    if ((light.kind != Light::Kind::point || light.parallel) &&
+        !(glm::length(draft.point_at - draft.location) > 1e-10)) {
         in.fail(place, "this light points at its own location; move point_at");
     }
     if (!in.accept('}')) {
-        in.unexpected("spotlight, cylinder, parallel, point_at, radius, falloff, tightness, area_light, adaptive, jitter, circular, "
-                      "orient, fade_distance, fade_power, shadowless, a transform or '}' in a light source");
+        in.unexpected(
+            "spotlight, cylinder, parallel, point_at, radius, falloff, tightness, area_light, adaptive, jitter, "
+            "circular, "
+            "orient, fade_distance, fade_power, shadowless, a transform or '}' in a light source");
     }
     return std::make_shared<const LightDraft>(draft);
 }

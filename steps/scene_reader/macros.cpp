@@ -61,8 +61,9 @@ void Interpreter::call_macro(const Shared<Macro>& called, Place place) {
     hold_ = outer_hold;
     left_side_ = outer_left;
     if (blocks_.size() >= kMostOpenBlocks) {
-        fail(place, fmt::format("more than {} macro calls and blocks inside of one another; does {} call itself for ever?",
-                                kMostOpenBlocks, macro.name));
+        fail(place,
+             fmt::format("more than {} macro calls and blocks inside of one another; does {} call itself for ever?",
+                         kMostOpenBlocks, macro.name));
     }
     Block block;
     block.kind = Block::Kind::macro;
@@ -110,7 +111,8 @@ Value Interpreter::function_definition() {
         spend(1);
         const Token token = scanner_.scan(names_);
         if (token.kind == Token::Kind::end) fail(place, "this function never ends; close it with }");
-        if (first && token.kind == Token::Kind::word && (token.word == Word::internal_ || token.word == Word::pigment_)) {
+        if (first && token.kind == Token::Kind::word &&
+            (token.word == Word::internal_ || token.word == Word::pigment_)) {
             function->internal = true;
         }
         if (token.kind == Token::Kind::name) capture(*function, token);

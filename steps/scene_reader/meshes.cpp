@@ -64,7 +64,8 @@ bool differ(const V3& a, const V3& b, const V3& c) {
 
 class MeshReader {
 public:
-    MeshReader(Context& context, const Place& place) : in_(context.in), place_(place), mesh_(std::make_shared<MeshDraft>()) {}
+    MeshReader(Context& context, const Place& place)
+        : in_(context.in), place_(place), mesh_(std::make_shared<MeshDraft>()) {}
 
     Shared<MeshDraft> read() {
         for (;;) {
@@ -147,7 +148,8 @@ public:
     Shared<MeshDraft> read() {
         read_lists();
         if (mesh_->positions.empty()) in_.fail(place_, "this mesh2 has no vertex_vectors");
-        if (!in_.accept(Word::face_indices_)) in_.unexpected("face_indices (or another list in front of it) in a mesh2");
+        if (!in_.accept(Word::face_indices_))
+            in_.unexpected("face_indices (or another list in front of it) in a mesh2");
         read_faces();
         bool has_normals = false;
         for (;;) {
@@ -264,7 +266,8 @@ private:
     std::uint32_t read_texture_index() {
         const Place place = in_.peek().place;
         const std::size_t index = in_.count("a face's texture", kMostElements);
-        if (index >= mesh_->surfaces.size()) in_.fail(place, fmt::format("texture {} of {}", index, mesh_->surfaces.size()));
+        if (index >= mesh_->surfaces.size())
+            in_.fail(place, fmt::format("texture {} of {}", index, mesh_->surfaces.size()));
         in_.comma();
         if (in_.number_follows()) in_.fail(in_.peek(), "a face with a texture for each corner is not in the subset");
         return static_cast<std::uint32_t>(index);

@@ -68,7 +68,7 @@ std::optional<ObjectDraft> read_object(Context& context) {
         return *named;
     }
     const bool begins = word.kind == Token::Kind::word && (word.word == Word::object_ || word.word == Word::union_ ||
-                                                          word.word == Word::light_source_ || is_shape(word.word));
+                                                           word.word == Word::light_source_ || is_shape(word.word));
     if (!begins) return std::nullopt;
     const Interpreter::Nesting nesting(in);
     in.take();
@@ -137,7 +137,8 @@ void read_clips(Context& context, ObjectDraft& object) {
         }
     } else {
         for (ObjectDraft& clip : read_clip_objects(context)) {
-            if (clip.is_patch() || clip.is_light()) context.in.fail(place, "a clip needs an inside: a box, a sphere, a plane, ...");
+            if (clip.is_patch() || clip.is_light())
+                context.in.fail(place, "a clip needs an inside: a box, a sphere, a plane, ...");
             if (!clip.clips.empty()) context.in.fail(place, "a clipped object cannot clip; list both clips instead");
             if (clip.is_union()) context.in.fail(place, "a union cannot clip; clip by a box, a sphere, a plane, ...");
             clip.bounds.clear();
@@ -191,7 +192,8 @@ bool read_surface_modifier(Context& context, ObjectDraft& object) {
             object.interior_placement.reset();
             return true;
         }
-        default: return false;
+        default:
+            return false;
     }
 }
 
@@ -205,11 +207,26 @@ bool read_flag(Context& context, ObjectDraft& object) {
             if (object.is_patch()) in.note(word.place, "inverse has no effect on a thing without an inside");
             object.inverse = !object.inverse;
             return true;
-        case Word::no_shadow_: in.take(); object.no_shadow = true; return true;
-        case Word::hollow_: in.take(); set_hollow(object, in.flag()); return true;
-        case Word::photons_: in.take(); object.photons = read_object_photons(in, object.photons.value_or(ObjectPhotons{})); return true;
-        case Word::clipped_by_: in.take(); read_clips(context, object); return true;
-        case Word::bounded_by_: in.take(); read_bounds(context, object); return true;
+        case Word::no_shadow_:
+            in.take();
+            object.no_shadow = true;
+            return true;
+        case Word::hollow_:
+            in.take();
+            set_hollow(object, in.flag());
+            return true;
+        case Word::photons_:
+            in.take();
+            object.photons = read_object_photons(in, object.photons.value_or(ObjectPhotons{}));
+            return true;
+        case Word::clipped_by_:
+            in.take();
+            read_clips(context, object);
+            return true;
+        case Word::bounded_by_:
+            in.take();
+            read_bounds(context, object);
+            return true;
         case Word::sturm_:
         case Word::hierarchy_:
         case Word::split_union_:
@@ -224,7 +241,8 @@ bool read_flag(Context& context, ObjectDraft& object) {
             in.take();
             if (in.flag()) in.fail(word, fmt::format("'{}' is not in the subset; remove it", word.text));
             return true;
-        default: return false;
+        default:
+            return false;
     }
 }
 
@@ -240,8 +258,9 @@ void read_object_modifiers(Context& context, ObjectDraft& object) {
         }
     }
     if (!in.accept('}')) {
-        in.unexpected("a texture, pigment, finish, interior, material, transform, inverse, no_shadow, hollow, clipped_by, "
-                      "bounded_by, photons or '}' in an object");
+        in.unexpected(
+            "a texture, pigment, finish, interior, material, transform, inverse, no_shadow, hollow, clipped_by, "
+            "bounded_by, photons or '}' in an object");
     }
 }
 

@@ -13,7 +13,8 @@ struct Reading {
 };
 
 /// `choices` and `budget` are shared by all readings of one scene.
-Reading read_once(Sources& sources, const Source& text, const ReadOptions& options, FoldChoices& choices, Budget& budget);
+Reading read_once(Sources& sources, const Source& text, const ReadOptions& options, FoldChoices& choices,
+                  Budget& budget);
 
 /// Overflows that no statement saw. Throws InputError with the number's path.
 void require_finite(const Scene& scene, const Source& text);

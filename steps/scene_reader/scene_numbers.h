@@ -118,7 +118,8 @@ private:
         part("axis_v", x.axis_v);
     }
     void parts(Maybe<Object>& x) {
-        fixed(x.kind, x.inverse, x.no_shadow, x.hollow, x.shape, x.transform, x.material, x.interior, x.clip, x.photons);
+        fixed(x.kind, x.inverse, x.no_shadow, x.hollow, x.shape, x.transform, x.material, x.interior, x.clip,
+              x.photons);
     }
     void parts(Maybe<ClipList>& x) { list("clip", x); }
     void parts(Maybe<ObjectPhotons>& x) {
@@ -152,7 +153,8 @@ private:
         list("positions", x.positions);
         list("normals", x.normals);
         for (const Mesh::Face& f : x.faces) {
-            fixed(f.position[0], f.position[1], f.position[2], f.normal[0], f.normal[1], f.normal[2], f.material, f.smooth);
+            fixed(f.position[0], f.position[1], f.position[2], f.normal[0], f.normal[1], f.normal[2], f.material,
+                  f.smooth);
         }
     }
     void parts(Maybe<Box>& x) {

@@ -10,7 +10,8 @@ namespace rays {
 
 namespace sdl {
 
-Reading read_once(Sources& sources, const Source& text, const ReadOptions& options, FoldChoices& choices, Budget& budget) {
+Reading read_once(Sources& sources, const Source& text, const ReadOptions& options, FoldChoices& choices,
+                  Budget& budget) {
     choices.next = 0;
     budget.objects = 0;
     budget.memory = budget.memory_limit;

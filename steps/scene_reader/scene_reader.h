@@ -15,13 +15,13 @@
 namespace rays {
 
 struct ReadOptions {
-    Raster raster;                                           ///< image_width, image_height
-    Real clock = 0;                                          ///< `clock`
-    int frame_number = 0;                                    ///< `frame_number`
-    std::vector<std::pair<std::string, double>> declared;    ///< as POV-Ray's Declare=name=value
-    std::vector<std::filesystem::path> include_folders;      ///< searched after the scene's own; empty: POV-Ray's, if any
-    std::function<void(const std::string&)> debug;           ///< gets what the scene says with #debug; empty: nobody
-    bool tabulate = true;                                    ///< false: Time and Wavelength stay at their first value
+    Raster raster;                                         ///< image_width, image_height
+    Real clock = 0;                                        ///< `clock`
+    int frame_number = 0;                                  ///< `frame_number`
+    std::vector<std::pair<std::string, double>> declared;  ///< as POV-Ray's Declare=name=value
+    std::vector<std::filesystem::path> include_folders;    ///< searched after the scene's own; empty: POV-Ray's, if any
+    std::function<void(const std::string&)> debug;         ///< gets what the scene says with #debug; empty: nobody
+    bool tabulate = true;                                  ///< false: Time and Wavelength stay at their first value
 };
 
 /// Reads the file. Throws InputError "file:line:column: what; what next" for anything outside the documented subset

@@ -26,7 +26,8 @@ void read_global_photons(Interpreter& in, GlobalSettings& settings) {
                 in.number();
                 in.comma();
             }
-            if (!noted) in.note(word.place, fmt::format("'{}' belongs to POV-Ray's photon maps and has no effect", word.text));
+            if (!noted)
+                in.note(word.place, fmt::format("'{}' belongs to POV-Ray's photon maps and has no effect", word.text));
             noted = true;
         } else {
             break;
@@ -41,10 +42,22 @@ bool read_setting(Context& context) {
     if (in.peek().kind != Token::Kind::word) return false;
     const Token word = in.peek();
     switch (word.word) {
-        case Word::ambient_light_: in.take(); settings.ambient_light = in.rgb(); return true;
-        case Word::max_trace_level_: in.take(); settings.max_trace_level = in.integer("max_trace_level", 1, 256); return true;
-        case Word::adc_bailout_: in.take(); settings.adc_bailout = static_cast<float>(in.number()); return true;
-        case Word::photons_: in.take(); read_global_photons(in, settings); return true;
+        case Word::ambient_light_:
+            in.take();
+            settings.ambient_light = in.rgb();
+            return true;
+        case Word::max_trace_level_:
+            in.take();
+            settings.max_trace_level = in.integer("max_trace_level", 1, 256);
+            return true;
+        case Word::adc_bailout_:
+            in.take();
+            settings.adc_bailout = static_cast<float>(in.number());
+            return true;
+        case Word::photons_:
+            in.take();
+            read_global_photons(in, settings);
+            return true;
         case Word::assumed_gamma_:
             in.take();
             settings.assumed_gamma = static_cast<float>(in.number());
@@ -63,8 +76,11 @@ bool read_setting(Context& context) {
             in.take();
             in.rgb();
             break;
-        case Word::charset_: in.take(), in.take(); break;
-        default: return false;
+        case Word::charset_:
+            in.take(), in.take();
+            break;
+        default:
+            return false;
     }
     in.note(word.place, fmt::format("'{}' is read and has no effect", word.text));
     return true;
@@ -77,7 +93,8 @@ void read_global_settings(Context& context) {
     while (read_setting(context)) {
     }
     if (!context.in.accept('}')) {
-        context.in.unexpected("assumed_gamma, max_trace_level, adc_bailout, ambient_light, photons or '}' in global_settings");
+        context.in.unexpected(
+            "assumed_gamma, max_trace_level, adc_bailout, ambient_light, photons or '}' in global_settings");
     }
 }
 

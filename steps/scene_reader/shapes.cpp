@@ -27,7 +27,8 @@ V3 unit(Interpreter& in, std::string_view what) {
     const Place place = in.peek().place;
     const V3 v = in.vector();
     const double length = glm::length(v);
-    if (!(length >= kEpsilon && std::isfinite(length))) in.fail(place, fmt::format("{} has no length; give it a direction", what));
+    if (!(length >= kEpsilon && std::isfinite(length)))
+        in.fail(place, fmt::format("{} has no length; give it a direction", what));
     return v / length;
 }
 
@@ -73,7 +74,8 @@ DiscDraft read_disc(Interpreter& in) {
 }
 
 ConeDraft finish_cone(Interpreter& in, ConeDraft cone, const Place& place) {
-    if (!(glm::length(cone.cap - cone.base) >= kEpsilon)) in.fail(place, "both ends of this cylinder or cone are the same point");
+    if (!(glm::length(cone.cap - cone.base) >= kEpsilon))
+        in.fail(place, "both ends of this cylinder or cone are the same point");
     if (!(cone.base_radius > 0 || cone.cap_radius > 0)) in.fail(place, "both radii of this cone are 0");
     cone.open = in.accept(Word::open_);
     return cone;
@@ -210,7 +212,8 @@ Shared<PatchDraft> read_patch(Interpreter& in) {
         if (word.is(Word::type_)) {
             in.take();
             in.integer("a patch's type", 0, 3);
-        } else if (word.is(Word::flatness_) || word.is(Word::u_steps_) || word.is(Word::v_steps_) || word.is(Word::accuracy_)) {
+        } else if (word.is(Word::flatness_) || word.is(Word::u_steps_) || word.is(Word::v_steps_) ||
+                   word.is(Word::accuracy_)) {
             in.take();
             in.number();  // of POV-Ray's triangles; Raysteps intersects the patch itself
         } else {
@@ -229,31 +232,60 @@ Shared<PatchDraft> read_patch(Interpreter& in) {
 
 bool is_shape(Word word) {
     switch (word) {
+        // clang-format off
         case Word::sphere_: case Word::plane_: case Word::box_: case Word::disc_: case Word::cone_: case Word::cylinder_:
         case Word::quadric_: case Word::torus_: case Word::triangle_: case Word::smooth_triangle_: case Word::polygon_:
         case Word::mesh_: case Word::mesh2_: case Word::bicubic_patch_: return true;
-        default: return false;
+        // clang-format on
+        default:
+            return false;
     }
 }
 
 void read_shape(Context& context, Word word, ObjectDraft& object) {
     Interpreter& in = context.in;
     switch (word) {
-        case Word::sphere_: object.shape = read_sphere(in); return;
-        case Word::plane_: object.shape = read_plane(in); return;
-        case Word::box_: object.shape = read_box(in); return;
-        case Word::disc_: object.shape = read_disc(in); return;
-        case Word::cone_: object.shape = read_cone(in); return;
-        case Word::cylinder_: object.shape = read_cylinder(in); return;
-        case Word::quadric_: object.shape = read_quadric(in); return;
-        case Word::torus_: object.shape = read_torus(in); return;
-        case Word::triangle_: return read_triangle(in, false, object);
-        case Word::smooth_triangle_: return read_triangle(in, true, object);
-        case Word::polygon_: return read_polygon(in, object);
-        case Word::bicubic_patch_: object.shape = read_patch(in); return;
-        case Word::mesh_: object.shape = read_mesh(context, object.place); return;
-        case Word::mesh2_: object.shape = read_mesh2(context, object.place); return;
-        default: in.unexpected("an object");
+        case Word::sphere_:
+            object.shape = read_sphere(in);
+            return;
+        case Word::plane_:
+            object.shape = read_plane(in);
+            return;
+        case Word::box_:
+            object.shape = read_box(in);
+            return;
+        case Word::disc_:
+            object.shape = read_disc(in);
+            return;
+        case Word::cone_:
+            object.shape = read_cone(in);
+            return;
+        case Word::cylinder_:
+            object.shape = read_cylinder(in);
+            return;
+        case Word::quadric_:
+            object.shape = read_quadric(in);
+            return;
+        case Word::torus_:
+            object.shape = read_torus(in);
+            return;
+        case Word::triangle_:
+            return read_triangle(in, false, object);
+        case Word::smooth_triangle_:
+            return read_triangle(in, true, object);
+        case Word::polygon_:
+            return read_polygon(in, object);
+        case Word::bicubic_patch_:
+            object.shape = read_patch(in);
+            return;
+        case Word::mesh_:
+            object.shape = read_mesh(context, object.place);
+            return;
+        case Word::mesh2_:
+            object.shape = read_mesh2(context, object.place);
+            return;
+        default:
+            in.unexpected("an object");
     }
 }
 

@@ -75,7 +75,8 @@ fs::path Sources::find_file(const std::string& name) const {
         const fs::path real = fs::canonical(folder / name, error);
         if (error || !fs::is_regular_file(real, error)) continue;
         if (!lies_inside(folder, real)) {
-            throw InputError(fmt::format("'{}' is a link that leads outside of its folder; copy the file instead", name));
+            throw InputError(
+                fmt::format("'{}' is a link that leads outside of its folder; copy the file instead", name));
         }
         return real;
     }
@@ -102,7 +103,8 @@ std::string read_bytes(const fs::path& file, std::uintmax_t limit) {
     }
     const std::uintmax_t size = fs::file_size(file, error);
     if (error || size > limit) {
-        throw InputError(fmt::format("{}:1:1: has more than {} bytes; split the scene or use mesh2", file.string(), limit));
+        throw InputError(
+            fmt::format("{}:1:1: has more than {} bytes; split the scene or use mesh2", file.string(), limit));
     }
     std::string bytes(size, '\0');
     in.read(bytes.data(), static_cast<std::streamsize>(size));

@@ -12,10 +12,14 @@ namespace rays::sdl {
 bool Interpreter::string_follows() {
     const Token& token = peek();
     switch (token.kind) {
-        case Token::Kind::string: return true;
-        case Token::Kind::value: return token.value->as<std::string>() != nullptr;
-        case Token::Kind::word: break;
-        default: return false;
+        case Token::Kind::string:
+            return true;
+        case Token::Kind::value:
+            return token.value->as<std::string>() != nullptr;
+        case Token::Kind::word:
+            break;
+        default:
+            return false;
     }
     switch (token.word) {
         case Word::chr_:
@@ -24,8 +28,10 @@ bool Interpreter::string_follows() {
         case Word::strlwr_:
         case Word::strupr_:
         case Word::substr_:
-        case Word::vstr_: return true;
-        default: return false;
+        case Word::vstr_:
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -41,15 +47,32 @@ std::string unescaped(std::string_view text) {
             continue;
         }
         switch (const char c = text[++i]) {
-            case 'n': result += '\n'; break;
-            case 't': result += '\t'; break;
-            case 'r': result += '\r'; break;
-            case 'a': result += '\a'; break;
-            case 'b': result += '\b'; break;
-            case 'f': result += '\f'; break;
-            case 'v': result += '\v'; break;
-            case '0': result += '\0'; break;
-            default: result += c;
+            case 'n':
+                result += '\n';
+                break;
+            case 't':
+                result += '\t';
+                break;
+            case 'r':
+                result += '\r';
+                break;
+            case 'a':
+                result += '\a';
+                break;
+            case 'b':
+                result += '\b';
+                break;
+            case 'f':
+                result += '\f';
+                break;
+            case 'v':
+                result += '\v';
+                break;
+            case '0':
+                result += '\0';
+                break;
+            default:
+                result += c;
         }
     }
     return result;
@@ -138,9 +161,11 @@ std::string Interpreter::string_made_by(const Token& token) {
         case Word::strupr_:
         case Word::strlwr_:
             result = string();
-            for (char& c : result) c = static_cast<char>(token.word == Word::strupr_ ? std::toupper(c) : std::tolower(c));
+            for (char& c : result)
+                c = static_cast<char>(token.word == Word::strupr_ ? std::toupper(c) : std::tolower(c));
             break;
-        default: fail(token, fmt::format("found {}; expected a string", describe(token)));
+        default:
+            fail(token, fmt::format("found {}; expected a string", describe(token)));
     }
     expect(')', fmt::format("'{}'", token.text));
     return result;
@@ -152,8 +177,10 @@ bool Interpreter::string_function(Word word, const Place& place, double& result)
         case Word::file_exists_:
         case Word::strcmp_:
         case Word::strlen_:
-        case Word::val_: break;
-        default: return false;
+        case Word::val_:
+            break;
+        default:
+            return false;
     }
     expect('(', fmt::format("'{}'", to_string(word)));
     const std::string text = string();

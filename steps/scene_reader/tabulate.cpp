@@ -104,7 +104,8 @@ private:
         // What the scene's #debug says is said once.
         if (readings_ > 0) options.debug = nullptr;
         bytes_read_ += static_cast<double>(text_.text.size()) * (readings_++ > 0);
-        if (bytes_read_ > kMostBytesReadAgain) fail("this scene is too large to be read at enough values of Time or Wavelength");
+        if (bytes_read_ > kMostBytesReadAgain)
+            fail("this scene is too large to be read at enough values of Time or Wavelength");
         options.declared.insert(options.declared.end(), values.begin(), values.end());
         return read_once(sources_, text_, options, choices_, budget_);
     }
@@ -114,13 +115,15 @@ private:
         Numbers numbers(scene);
         if (numbers.structure != base_->structure || numbers.values.size() != base_->values.size()) {
             if (choices_.changed) return base_->values;  // another round follows
-            fail(fmt::format("the scene has other parts at {} = {} than at {}; only numbers may change with it", variable.name,
-                             value, variable.first));
+            fail(fmt::format("the scene has other parts at {} = {} than at {}; only numbers may change with it",
+                             variable.name, value, variable.first));
         }
         return std::move(numbers.values);
     }
 
-    [[noreturn]] void fail(const std::string& what) const { throw InputError(fmt::format("{}:1:1: {}", text_.name, what)); }
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(fmt::format("{}:1:1: {}", text_.name, what));
+    }
 
     static double position(const Variable& variable, double part) {
         return variable.first + part * (variable.last - variable.first);
@@ -133,7 +136,8 @@ private:
             if (values[i] != base_->values[i]) changed.push_back(i);
         }
         std::vector<std::size_t> fresh;
-        std::set_difference(changed.begin(), changed.end(), table.which.begin(), table.which.end(), std::back_inserter(fresh));
+        std::set_difference(changed.begin(), changed.end(), table.which.begin(), table.which.end(),
+                            std::back_inserter(fresh));
         if (fresh.empty()) return;
         std::vector<std::size_t> all;
         std::set_union(table.which.begin(), table.which.end(), fresh.begin(), fresh.end(), std::back_inserter(all));
@@ -142,7 +146,8 @@ private:
         table.which = std::move(all);
     }
 
-    void widen(std::vector<double>& sample, const std::vector<std::size_t>& which, const std::vector<std::size_t>& all) {
+    void widen(std::vector<double>& sample, const std::vector<std::size_t>& which,
+               const std::vector<std::size_t>& all) {
         std::vector<double> wider;
         wider.reserve(all.size());
         std::size_t old = 0;
@@ -187,7 +192,8 @@ private:
             if (fine) break;
             const double held = static_cast<double>(table.samples.size()) * static_cast<double>(table.which.size());
             if (2 * intervals > kFinest || held > kMostSamples) {
-                fail(fmt::format("some number changes too abruptly with {}, or too many do; let it change smoothly", variable.name));
+                fail(fmt::format("some number changes too abruptly with {}, or too many do; let it change smoothly",
+                                 variable.name));
             }
         }
         tables_.push_back(std::move(table));
@@ -243,7 +249,8 @@ private:
         const auto tinted = read_at(kWavelength, 611);
         const Scene scene = read({{kTime.name, 0.7}, {kWavelength.name, 611}}).scene;
         const Numbers both_changed(scene);
-        if (both_changed.structure != base_->structure) fail("the scene's parts change with Time and Wavelength together");
+        if (both_changed.structure != base_->structure)
+            fail("the scene's parts change with Time and Wavelength together");
         for (std::size_t i = 0; i < base_->values.size(); ++i) {
             const bool depends_on_both = moved[i] != base_->values[i] && tinted[i] != base_->values[i];
             const double expected = moved[i] != base_->values[i] ? moved[i] : tinted[i];

@@ -43,18 +43,28 @@ bool is_blank(char c) { return class_of(c) == Class::blank; }
 
 std::string describe(const Token& token) {
     switch (token.kind) {
-        case Token::Kind::end: return "the end of the scene";
-        case Token::Kind::number: return fmt::format("the number {}", token.number);
-        case Token::Kind::string: return "a string";
-        case Token::Kind::hash: return "a directive";
-        case Token::Kind::symbol: break;
-        default: return fmt::format("'{}'", token.text.substr(0, 60));
+        case Token::Kind::end:
+            return "the end of the scene";
+        case Token::Kind::number:
+            return fmt::format("the number {}", token.number);
+        case Token::Kind::string:
+            return "a string";
+        case Token::Kind::hash:
+            return "a directive";
+        case Token::Kind::symbol:
+            break;
+        default:
+            return fmt::format("'{}'", token.text.substr(0, 60));
     }
     switch (token.symbol) {
-        case 'l': return "'<='";
-        case 'g': return "'>='";
-        case 'n': return "'!='";
-        default: return fmt::format("'{}'", token.symbol);
+        case 'l':
+            return "'<='";
+        case 'g':
+            return "'>='";
+        case 'n':
+            return "'!='";
+        default:
+            return fmt::format("'{}'", token.symbol);
     }
 }
 
@@ -100,9 +110,12 @@ void Scanner::scan(Names& names, Token& token) {
         }
         const char c = *at_;
         switch (class_of(c)) {
-            case Class::digit: return scan_number(token);
-            case Class::letter: return scan_name(token, names);
-            case Class::quote: return scan_string(token);
+            case Class::digit:
+                return scan_number(token);
+            case Class::letter:
+                return scan_name(token, names);
+            case Class::quote:
+                return scan_string(token);
             case Class::hash:
                 ++at_;
                 token.kind = Token::Kind::hash;
@@ -117,7 +130,8 @@ void Scanner::scan(Names& names, Token& token) {
                     ++at_;
                 }
                 return;
-            default: break;
+            default:
+                break;
         }
         // A byte order mark in front of the text is no character of it.
         if (at_ != source_->begin() || std::strncmp(at_, "\xEF\xBB\xBF", 3) != 0) {
@@ -131,7 +145,8 @@ void Scanner::scan(Names& names, Token& token) {
 /// Up to 15 digits with a point among them and no exponent: an integer below 2^53 divided by a power of ten that is
 /// exact, too, so the quotient is the nearest double (Clinger 1990).
 bool Scanner::scan_short_number(Token& token) {
-    static constexpr double kTens[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    static constexpr double kTens[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     const char* p = at_;
     std::uint64_t digits = 0;  // what does not fit is not used
     while (is_digit(*p)) digits = digits * 10 + static_cast<unsigned>(*p++ - '0');
@@ -227,7 +242,9 @@ Word Scanner::skip_block(Names& names, int levels, bool at_else, Place opened) {
                 case Word::while_:
                 case Word::for_:
                 case Word::switch_:
-                case Word::macro_: ++levels; break;
+                case Word::macro_:
+                    ++levels;
+                    break;
                 case Word::else_:
                 case Word::elseif_:
                 case Word::case_:
@@ -237,7 +254,8 @@ Word Scanner::skip_block(Names& names, int levels, bool at_else, Place opened) {
                 case Word::end_:
                     if (--levels == 0) return word;
                     break;
-                default: break;
+                default:
+                    break;
             }
         }
     }

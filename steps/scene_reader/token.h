@@ -24,9 +24,9 @@ struct Token {
     Word word = Word::other_;
     NameId name = 0;
     double number = 0;
-    Value* value = nullptr;   ///< valid until the next token is fetched
-    Array* array = nullptr;   ///< whose element `value` is
-    std::size_t scope = 0;    ///< where the name is bound
+    Value* value = nullptr;  ///< valid until the next token is fetched
+    Array* array = nullptr;  ///< whose element `value` is
+    std::size_t scope = 0;   ///< where the name is bound
     std::string_view text;
     Place place;
 

@@ -61,10 +61,10 @@ template <class T>
 using Shared = std::shared_ptr<const T>;
 
 struct Value {
-    std::variant<std::monostate, Numbers, std::string, std::shared_ptr<Array>, Shared<Macro>, Shared<Function>, Reference,
-                 Shared<Affine>, Shared<CameraDraft>, Shared<ObjectDraft>, Shared<SurfaceDraft>, Shared<PigmentDraft>,
-                 Shared<FinishDraft>, Shared<InteriorDraft>, Shared<MediaDraft>, Shared<DensityDraft>,
-                 Shared<MaterialDraft>>
+    std::variant<std::monostate, Numbers, std::string, std::shared_ptr<Array>, Shared<Macro>, Shared<Function>,
+                 Reference, Shared<Affine>, Shared<CameraDraft>, Shared<ObjectDraft>, Shared<SurfaceDraft>,
+                 Shared<PigmentDraft>, Shared<FinishDraft>, Shared<InteriorDraft>, Shared<MediaDraft>,
+                 Shared<DensityDraft>, Shared<MaterialDraft>>
         is;
 
     bool empty() const { return is.index() == 0; }

@@ -6,9 +6,10 @@
 namespace rays::sdl {
 
 std::string kind_name(const Value& value) {
-    static constexpr const char* kNames[] = {
-        "undefined", "a float",   "a string", "an array",  "a macro",  "a function",  "a reference", "a transform", "a camera",
-        "an object", "a texture", "a pigment", "a finish", "an interior", "a media", "a density",    "a material"};
+    static constexpr const char* kNames[] = {"undefined",  "a float",     "a string",    "an array",    "a macro",
+                                             "a function", "a reference", "a transform", "a camera",    "an object",
+                                             "a texture",  "a pigment",   "a finish",    "an interior", "a media",
+                                             "a density",  "a material"};
     static_assert(std::size(kNames) == std::variant_size_v<decltype(Value::is)>);
     if (const auto* numbers = value.as<Numbers>()) {
         static constexpr const char* kSizes[] = {"a float", "a 2D vector", "a vector", "a 4D vector", "a color"};
@@ -45,7 +46,8 @@ void Interpreter::leave_scope() {
 std::shared_ptr<Value> Interpreter::assignable(const Token& token, bool local) {
     const std::size_t scope = local ? scopes_.size() - 1 : 0;
     switch (token.kind) {
-        case Token::Kind::name: return bind(token.name, scope);
+        case Token::Kind::name:
+            return bind(token.name, scope);
         case Token::Kind::macro:
         case Token::Kind::value:
             if (token.array) return {token.array->shared_from_this(), token.value};
@@ -55,7 +57,8 @@ std::shared_ptr<Value> Interpreter::assignable(const Token& token, bool local) {
             if (local && token.scope != scope) return bind(token.name, scope);
             if (Reference* reference = bindings_[token.name].back().slot->as<Reference>()) return reference->target;
             return bindings_[token.name].back().slot;
-        default: break;
+        default:
+            break;
     }
     if (token.kind == Token::Kind::word) {
         fail(token, fmt::format("'{}' is a reserved word; choose another name", token.text));
@@ -78,7 +81,8 @@ void Interpreter::declare(bool local, Place place) {
     hold_ = outer_hold;
     Value value = right_side(false, scopes_.size(), true);
     if (is_element && !slot->empty() && slot->is.index() != value.is.index()) {
-        fail(place, fmt::format("an array of {} cannot hold {}; declare another array", kind_name(*slot), kind_name(value)));
+        fail(place,
+             fmt::format("an array of {} cannot hold {}; declare another array", kind_name(*slot), kind_name(value)));
     }
     *slot = std::move(value);
     ++changes_;
@@ -143,7 +147,8 @@ Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool n
     };
     const auto semicolon = [&] {
         if (needs_semicolon && !accept(';')) {
-            fail(peek(), fmt::format("found {}; a declaration of a float, vector or color ends with ';'", describe(peek())));
+            fail(peek(),
+                 fmt::format("found {}; a declaration of a float, vector or color ends with ';'", describe(peek())));
         }
     };
     const bool callable = known && (known->as<Shared<Function>>() != nullptr);

@@ -57,6 +57,37 @@ std::string_view to_string(Word word) {
     return word == Word::other_ ? "a word of POV-Ray" : kSpellings[static_cast<std::size_t>(word)];
 }
 
+bool is_float_function(Word word) {
+    switch (word) {
+        // clang-format off
+        case Word::abs_: case Word::acos_: case Word::acosh_: case Word::asc_: case Word::asin_: case Word::asinh_:
+        case Word::atan_: case Word::atan2_: case Word::atanh_: case Word::bitwise_and_: case Word::bitwise_or_:
+        case Word::bitwise_xor_: case Word::ceil_: case Word::clock_: case Word::clock_on_: case Word::cos_:
+        case Word::cosh_: case Word::defined_: case Word::degrees_: case Word::dimension_size_:
+        case Word::dimensions_: case Word::div_: case Word::exp_: case Word::false_: case Word::file_exists_:
+        case Word::floor_: case Word::int_: case Word::ln_: case Word::log_: case Word::max_: case Word::min_:
+        case Word::mod_: case Word::no_: case Word::now_: case Word::off_: case Word::on_: case Word::pi_:
+        case Word::pow_: case Word::radians_: case Word::rand_: case Word::seed_: case Word::select_: case Word::sin_:
+        case Word::sinh_: case Word::sqrt_: case Word::strcmp_: case Word::strlen_: case Word::tan_:
+        case Word::tanh_: case Word::true_: case Word::val_: case Word::vdot_: case Word::version_:
+        case Word::vlength_: case Word::yes_: return true;
+        // clang-format on
+        default:
+            return false;
+    }
+}
+
+bool is_vector_word(Word word) {
+    switch (word) {
+        // clang-format off
+        case Word::vaxis_rotate_: case Word::vcross_: case Word::vnormalize_: case Word::vrotate_: case Word::x_:
+        case Word::y_: case Word::z_: case Word::t_: case Word::u_: case Word::v_: return true;
+        // clang-format on
+        default:
+            return false;
+    }
+}
+
 Names::Names() : slots_(4096) {
     auto reserve = [this](std::string_view text, Word word) {
         intern(text);

@@ -50,6 +50,10 @@ enum class Word : std::uint16_t {
 
 std::string_view to_string(Word word);
 
+/// The word begins an expression of a float, or of a vector.
+bool is_float_function(Word word);
+bool is_vector_word(Word word);
+
 using NameId = std::uint32_t;
 
 /// Gives every distinct name a small number. Reserved words are told apart by `word_of`.

@@ -47,14 +47,16 @@ TEST(CameraReader, LookingAlongTheSkyKeepsTheRightVector) {
 }
 
 TEST(CameraReader, TransformsComeLast) {
-    const Camera camera = scene_of("camera { rotate 90*y translate <1,2,3> location <0,0,-5> look_at 0 right x }").camera;
+    const Camera camera =
+        scene_of("camera { rotate 90*y translate <1,2,3> location <0,0,-5> look_at 0 right x }").camera;
     EXPECT_TRUE(near(camera.location, {-5 + 1, 2, 3}));
     EXPECT_TRUE(near(camera.direction, {1, 0, 0}));
     EXPECT_TRUE(near(camera.right, {0, 0, -1}));
 }
 
 TEST(CameraReader, OrthographicShowsWhatPerspectiveShowsAtLookAt) {
-    const Camera camera = scene_of("camera { orthographic location <0,0,-5> look_at <0,0,5> angle 90 right x*2 up y }").camera;
+    const Camera camera =
+        scene_of("camera { orthographic location <0,0,-5> look_at <0,0,5> angle 90 right x*2 up y }").camera;
     EXPECT_EQ(camera.kind, Camera::Kind::orthographic);
     // angle 90: direction has length 1, the distance is 10.
     EXPECT_TRUE(near(camera.right, {20, 0, 0}));
@@ -70,7 +72,8 @@ TEST(CameraReader, ShearedFrustumIsKept) {
 }
 
 TEST(CameraReader, ThinLens) {
-    const Camera camera = scene_of("camera { location <0,0,-5> look_at 0 aperture 0.4 focal_point <0,3,-1> blur_samples 10, 20 }").camera;
+    const Camera camera =
+        scene_of("camera { location <0,0,-5> look_at 0 aperture 0.4 focal_point <0,3,-1> blur_samples 10, 20 }").camera;
     EXPECT_EQ(camera.aperture, Real(0.4));
     EXPECT_EQ(camera.blur_samples, 20);
     // POV-Ray keeps the distance to the focal point, 5 here, and focuses across the axis there.
@@ -78,7 +81,8 @@ TEST(CameraReader, ThinLens) {
 }
 
 TEST(CameraReader, ADeclaredCameraTakesTransforms) {
-    const Camera camera = scene_of("#declare C = camera { location <0,0,-5> look_at 0 } camera { C translate y }").camera;
+    const Camera camera =
+        scene_of("#declare C = camera { location <0,0,-5> look_at 0 } camera { C translate y }").camera;
     EXPECT_TRUE(near(camera.location, {0, 1, -5}));
 }
 

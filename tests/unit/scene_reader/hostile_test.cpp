@@ -46,29 +46,40 @@ std::vector<Hostile> hostile_scenes() {
         {"endless loop that makes objects", "#while (1) sphere { 0, 1 } #end"},
         {"endless counting", counting + "#end"},
         {"endless strings", "#declare S = \"ab\"; " + counting + "#declare S = concat(S, S); #end"},
-        {"endless kept strings", "#declare A = array[1000000]; " + counting + "#declare A[I] = \"" + std::string(10'000, 'x') + "\"; #end"},
+        {"endless kept strings",
+         "#declare A = array[1000000]; " + counting + "#declare A[I] = \"" + std::string(10'000, 'x') + "\"; #end"},
         {"endless materials", counting + "sphere { I, 1 pigment { checker } interior { ior 1 } } #end"},
         {"endless lights", counting + "light_source { I, 1 } #end"},
         {"endless streams", counting + "#declare R = seed(I); #end"},
         {"endless skipping", counting + "#if (0) " + std::string(500'000, 'x') + " #end #end"},
-        {"endless clips", "#declare S = sphere { 0, 1 } " + counting + "#declare S = object { S clipped_by { box { 0, 1 } } } #end"},
-        {"endless media", "#declare M = media { density { spherical } } " + counting + "#declare M = media { M density { spherical } } #end"},
+        {"endless clips",
+         "#declare S = sphere { 0, 1 } " + counting + "#declare S = object { S clipped_by { box { 0, 1 } } } #end"},
+        {"endless media", "#declare M = media { density { spherical } } " + counting +
+                              "#declare M = media { M density { spherical } } #end"},
         {"for to the stars", "#for (I, 0, 1e300) #end"},
         {"for that is set back", "#for (I, 0, 2) #declare I = 0; #end"},
         {"large arrays", grown(10, "", [&](int i) { return "#declare A" + n(i) + " = array[5000000]; "; })},
-        {"copied arrays", "#declare A = array[1000000]; #declare B = array[100]; #for (I, 0, 99) #declare B[I] = A; #end"},
+        {"copied arrays",
+         "#declare A = array[1000000]; #declare B = array[100]; #for (I, 0, 99) #declare B[I] = A; #end"},
         {"endless recursion", "#macro F() F() #end F()"},
         {"recursion in arguments", "#macro F(A) F(F(A)) #end F(1)"},
         {"recursion that forks", "#macro F(N) #if (N > 0) F(N - 1) F(N - 1) #end #end F(60)"},
-        {"functions that double", grown(60, "#declare F0 = function(x) { x }; ", [&](int i) {
-             return "#declare F" + n(i + 1) + " = function(x) { F" + n(i) + "(x) + F" + n(i) + "(x) }; ";
-         }) + "#declare A = F60(1);"},
-        {"unions that double", grown(60, "#declare U0 = union { sphere { 0, 1 } }; ", [&](int i) {
-             return "#declare U" + n(i + 1) + " = union { object { U" + n(i) + " } object { U" + n(i) + " } }; ";
-         }) + "object { U60 }"},
-        {"deep unions", grown(1000, "#declare U0 = union { sphere { 0, 1 } }; ", [&](int i) {
-             return "#declare U" + n(i + 1) + " = union { object { U" + n(i) + " } }; ";
-         }) + "object { U1000 }"},
+        {"functions that double", grown(60, "#declare F0 = function(x) { x }; ",
+                                        [&](int i) {
+                                            return "#declare F" + n(i + 1) + " = function(x) { F" + n(i) + "(x) + F" +
+                                                   n(i) + "(x) }; ";
+                                        }) +
+                                      "#declare A = F60(1);"},
+        {"unions that double", grown(60, "#declare U0 = union { sphere { 0, 1 } }; ",
+                                     [&](int i) {
+                                         return "#declare U" + n(i + 1) + " = union { object { U" + n(i) +
+                                                " } object { U" + n(i) + " } }; ";
+                                     }) +
+                                   "object { U60 }"},
+        {"deep unions",
+         grown(1000, "#declare U0 = union { sphere { 0, 1 } }; ",
+               [&](int i) { return "#declare U" + n(i + 1) + " = union { object { U" + n(i) + " } }; "; }) +
+             "object { U1000 }"},
         {"numbers that overflow", "#declare A = 1; " + repeated("#declare A = A + A; ", 2000)},
         {"transforms that overflow", "sphere { 0, 1 scale 1e300 scale 1e300 }"},
         {"transforms that vanish", "sphere { 0, 1 scale 1e-300 scale 1e-300 }"},
@@ -100,7 +111,8 @@ void expect_bounded_error(const std::string& name, const std::function<void()>& 
     }
     // The issue asks for five seconds on an ordinary machine; sanitizers and a busy machine are slower.
     EXPECT_LT(cpu_seconds() - start, 15) << name;
-    EXPECT_TRUE(std::regex_search(message.substr(0, 200), std::regex(R"(:\d+:\d+: \S+)"))) << name << ": '" << message.substr(0, 300) << "'";
+    EXPECT_TRUE(std::regex_search(message.substr(0, 200), std::regex(R"(:\d+:\d+: \S+)")))
+        << name << ": '" << message.substr(0, 300) << "'";
     EXPECT_LT(message.size(), 2000u) << name;
 }
 
@@ -133,8 +145,10 @@ TEST(Hostile, FilesThatAreNone) {
 
 TEST(Hostile, EveryPrefixOfAScene) {
     const std::string scene =
-        "#version 3.7; global_settings { assumed_gamma 1 }\n#macro M(A, B) sphere { A, B pigment { checker rgb 1, rgb 0 } } #end\n"
-        "#declare T = array[2] { <1,2,3>, x } #for (I, 0, 1) M(T[I], 1 + I) #end #if (1 < 2) box { -1, 1 } #else \"x\" #end\n"
+        "#version 3.7; global_settings { assumed_gamma 1 }\n#macro M(A, B) sphere { A, B pigment { checker rgb 1, rgb "
+        "0 } } #end\n"
+        "#declare T = array[2] { <1,2,3>, x } #for (I, 0, 1) M(T[I], 1 + I) #end #if (1 < 2) box { -1, 1 } #else \"x\" "
+        "#end\n"
         "camera { location <0, 1, -5> look_at 0 } light_source { 1, rgb 1 spotlight point_at 0 } /* end */";
     EXPECT_EQ(error_of(scene), "");
     for (std::size_t length = 0; length < scene.size(); ++length) {
@@ -146,8 +160,10 @@ TEST(Hostile, EveryPrefixOfAScene) {
 
 TEST(Hostile, RandomChangesNeverCrash) {
     const std::string scene =
-        "#declare R = seed(1); #declare A = array[2] { 1, 2 } #macro M(P) #local Q = P*2; (Q) #end #while (A[0] < 3) sphere { <M(A[0]), "
-        "rand(R), 0>, 1 scale 2 texture { pigment { rgb <1, 0, 0> } finish { phong 1 } } } #declare A[0] = A[0] + 1; #end "
+        "#declare R = seed(1); #declare A = array[2] { 1, 2 } #macro M(P) #local Q = P*2; (Q) #end #while (A[0] < 3) "
+        "sphere { <M(A[0]), "
+        "rand(R), 0>, 1 scale 2 texture { pigment { rgb <1, 0, 0> } finish { phong 1 } } } #declare A[0] = A[0] + 1; "
+        "#end "
         "polygon { 4, <0,0>, <1,0>, <1,1>, <0,0> } mesh { triangle { 0, x, y } } union { sphere { 0, 1 } rotate 30*z }";
     const std::string letters = "{}()[]<>,;+-*/=!&|?:.#\"' 019exyzABR\n\\";
     std::mt19937 random(1);
@@ -157,13 +173,21 @@ TEST(Hostile, RandomChangesNeverCrash) {
         for (unsigned k = random() % 4 + 1; k > 0; --k) {
             const std::size_t at = random() % changed.size();
             switch (random() % 3) {
-                case 0: changed[at] = letters[random() % letters.size()]; break;
-                case 1: changed.erase(at, random() % 10 + 1); break;
-                default: changed.insert(at, scene.substr(random() % scene.size(), random() % 20)); break;
+                case 0:
+                    changed[at] = letters[random() % letters.size()];
+                    break;
+                case 1:
+                    changed.erase(at, random() % 10 + 1);
+                    break;
+                default:
+                    changed.insert(at, scene.substr(random() % scene.size(), random() % 20));
+                    break;
             }
         }
         // A changed loop may need its whole allowance of work; a few such take minutes and teach nothing new.
-        if (changed.find("#while (A[0] < 3)") == std::string::npos || changed.find("#declare A[0] = A[0] + 1;") == std::string::npos) continue;
+        if (changed.find("#while (A[0] < 3)") == std::string::npos ||
+            changed.find("#declare A[0] = A[0] + 1;") == std::string::npos)
+            continue;
         errors += !error_of(changed).empty();
     }
     EXPECT_GT(errors, 5'000);

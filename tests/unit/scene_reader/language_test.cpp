@@ -36,8 +36,11 @@ TEST(Language, LocalsOfAnIncludeFileEndWithIt) {
     std::ofstream(folder / "sub/deep.inc") << "sphere { 0, 9 }";
     std::ofstream(folder / "open.inc") << "#if (1)";
     std::filesystem::create_symlink("/etc/hostname", folder / "link.inc");
-    const auto read = [&folder](const std::string& text) { return read_scene_text(text, (folder / "main.pov").string()); };
-    const Scene scene = read("#include \"part.inc\"\n#ifdef (L) #error \"L is still here\" #end sphere { 0, D } #include \"sub/deep.inc\"");
+    const auto read = [&folder](const std::string& text) {
+        return read_scene_text(text, (folder / "main.pov").string());
+    };
+    const Scene scene = read(
+        "#include \"part.inc\"\n#ifdef (L) #error \"L is still here\" #end sphere { 0, D } #include \"sub/deep.inc\"");
     EXPECT_EQ(scene.spheres.size(), 3u);
     EXPECT_EQ(scene.spheres[1].radius, 3);
     EXPECT_THROW(read("#include \"open.inc\"\n#end"), InputError);

@@ -5,7 +5,8 @@ namespace rays {
 namespace {
 
 TEST(LightReader, Point) {
-    const Scene scene = scene_of("light_source { <1,2,3> color rgb <1,0.5,0.25> fade_distance 4 fade_power 2 shadowless translate x }");
+    const Scene scene =
+        scene_of("light_source { <1,2,3> color rgb <1,0.5,0.25> fade_distance 4 fade_power 2 shadowless translate x }");
     const Light& light = scene.lights[0];
     EXPECT_EQ(light.kind, Light::Kind::point);
     EXPECT_TRUE(near(light.location, {2, 2, 3}));
@@ -17,7 +18,9 @@ TEST(LightReader, Point) {
 }
 
 TEST(LightReader, SpotAnglesAreRadians) {
-    const Scene scene = scene_of("light_source { 0, 1 spotlight point_at 5*z radius 20 falloff 40 tightness 10 rotate 90*y } light_source { 0, 1 spotlight }");
+    const Scene scene = scene_of(
+        "light_source { 0, 1 spotlight point_at 5*z radius 20 falloff 40 tightness 10 rotate 90*y } light_source { 0, "
+        "1 spotlight }");
     const Light& light = scene.lights[0];
     EXPECT_EQ(light.kind, Light::Kind::spot);
     EXPECT_NEAR(light.radius_rad, 20 * kPi / 180, kClose);
@@ -30,7 +33,8 @@ TEST(LightReader, SpotAnglesAreRadians) {
 }
 
 TEST(LightReader, CylinderAndParallel) {
-    const Scene scene = scene_of("light_source { 0, 1 cylinder radius 2 falloff 3 point_at y } light_source { y, 1 parallel point_at 0 }");
+    const Scene scene = scene_of(
+        "light_source { 0, 1 cylinder radius 2 falloff 3 point_at y } light_source { y, 1 parallel point_at 0 }");
     EXPECT_EQ(scene.lights[0].kind, Light::Kind::cylinder);
     EXPECT_TRUE(scene.lights[0].parallel);
     EXPECT_EQ(scene.lights[0].radius_rad, 2);
@@ -40,7 +44,8 @@ TEST(LightReader, CylinderAndParallel) {
 }
 
 TEST(LightReader, Area) {
-    const Scene scene = scene_of("light_source { 0, 1 area_light <2,0,0>, <0,0,3>, 4, 5 adaptive 1 jitter circular orient rotate 90*y }");
+    const Scene scene = scene_of(
+        "light_source { 0, 1 area_light <2,0,0>, <0,0,3>, 4, 5 adaptive 1 jitter circular orient rotate 90*y }");
     const Light& light = scene.lights[0];
     EXPECT_TRUE(light.area && light.jitter && light.circular && light.orient);
     EXPECT_TRUE(near(light.axis_u, {0, 0, -2}));
@@ -51,7 +56,9 @@ TEST(LightReader, Area) {
 }
 
 TEST(LightReader, LightsInUnionsMoveWithThem) {
-    const Scene scene = scene_of("union { light_source { 0, 1 } sphere { 0, 1 } translate x } #declare L = light_source { y, 1 } light_source { L translate x }");
+    const Scene scene = scene_of(
+        "union { light_source { 0, 1 } sphere { 0, 1 } translate x } #declare L = light_source { y, 1 } light_source { "
+        "L translate x }");
     EXPECT_TRUE(near(scene.lights[0].location, {1, 0, 0}));
     EXPECT_TRUE(near(scene.lights[1].location, {1, 1, 0}));
 }
@@ -64,7 +71,8 @@ TEST(LightReader, Nonsense) {
 
 TEST(SettingsReader, BackgroundAndGlobalSettings) {
     const Scene scene = scene_of(
-        "global_settings { assumed_gamma 1.0 max_trace_level 7 adc_bailout 0 ambient_light rgb <1,2,3> photons { spacing 0.1 } }\n"
+        "global_settings { assumed_gamma 1.0 max_trace_level 7 adc_bailout 0 ambient_light rgb <1,2,3> photons { "
+        "spacing 0.1 } }\n"
         "background { rgb <0.1,0.2,0.3> }");
     EXPECT_EQ(scene.settings.max_trace_level, 7);
     EXPECT_EQ(scene.settings.adc_bailout, 0);

@@ -9,7 +9,8 @@ namespace {
 
 TEST(MediaReader, Coefficients) {
     const Scene scene = scene_of(
-        "media { absorption 0.1 emission rgb <1,0,0> scattering { 5, rgb 0.5 eccentricity 0.7 extinction 0.25 } method 2 intervals 3 samples 4, 9 }");
+        "media { absorption 0.1 emission rgb <1,0,0> scattering { 5, rgb 0.5 eccentricity 0.7 extinction 0.25 } method "
+        "2 intervals 3 samples 4, 9 }");
     ASSERT_EQ(scene.atmosphere.size(), 1u);
     const Media& media = scene.atmosphere[0];
     EXPECT_EQ(media.absorption[0], 0.1f);
@@ -26,7 +27,8 @@ TEST(MediaReader, Coefficients) {
 
 TEST(MediaReader, DensitiesMoveWithTheObject) {
     const Scene scene = scene_of(
-        "sphere { 0, 1 hollow interior { media { absorption 1 density { spherical scale 2 color_map { [0 rgb 0] [1 rgb 0.5] } } density { rgb 3 } } } translate x }");
+        "sphere { 0, 1 hollow interior { media { absorption 1 density { spherical scale 2 color_map { [0 rgb 0] [1 rgb "
+        "0.5] } } density { rgb 3 } } } translate x }");
     const Media& media = scene.interiors[scene.objects[0].interior].media[0];
     ASSERT_EQ(media.densities.size(), 2u);
     EXPECT_TRUE(std::holds_alternative<Media::SphericalDensity>(media.densities[0].form));
@@ -43,7 +45,8 @@ TEST(MediaReader, DensityFiles) {
     std::ofstream(folder / "small.df3", std::ios::binary).write(bytes, sizeof bytes);
     std::ofstream(folder / "broken.df3", std::ios::binary).write(bytes, sizeof bytes - 1);
     const auto read = [&folder](const std::string& file) {
-        return read_scene_text("media { density { density_file df3 \"" + file + "\" interpolate 1 } }", (folder / "s.pov").string());
+        return read_scene_text("media { density { density_file df3 \"" + file + "\" interpolate 1 } }",
+                               (folder / "s.pov").string());
     };
     const Scene scene = read("small.df3");
     const auto& grid = std::get<Media::GridDensity>(scene.atmosphere[0].densities[0].form);

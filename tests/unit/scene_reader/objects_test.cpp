@@ -4,10 +4,13 @@
 namespace rays {
 namespace {
 
-Real red(const Scene& scene, std::size_t object) { return scene.materials[scene.objects[object].material].pigment.color.rgb[0]; }
+Real red(const Scene& scene, std::size_t object) {
+    return scene.materials[scene.objects[object].material].pigment.color.rgb[0];
+}
 
 TEST(ObjectReader, UnionsAreTakenApart) {
-    const Scene scene = scene_of("union { sphere { 0, 1 translate x } union { sphere { 0, 1 } box { 0, 1 } translate y } scale 2 }");
+    const Scene scene =
+        scene_of("union { sphere { 0, 1 translate x } union { sphere { 0, 1 } box { 0, 1 } translate y } scale 2 }");
     ASSERT_EQ(scene.objects.size(), 3u);
     EXPECT_TRUE(near(scene.spheres[0].center, {2, 0, 0}));
     EXPECT_TRUE(near(scene.spheres[1].center, {0, 2, 0}));
@@ -68,7 +71,8 @@ TEST(ObjectReader, ClipsMoveWithTheirObject) {
 }
 
 TEST(ObjectReader, ClipsOfAUnionCutItsChildren) {
-    const Scene scene = scene_of("union { sphere { 0, 1 clipped_by { box { -1, 1 } } } sphere { 0, 1 } clipped_by { plane { y, 0 } } }");
+    const Scene scene = scene_of(
+        "union { sphere { 0, 1 clipped_by { box { -1, 1 } } } sphere { 0, 1 } clipped_by { plane { y, 0 } } }");
     EXPECT_EQ(scene.clips[scene.objects[0].clip].size(), 2u);
     EXPECT_EQ(scene.clips[scene.objects[1].clip].size(), 1u);
 }
@@ -87,7 +91,8 @@ TEST(ObjectReader, WhatCannotClipIsAnError) {
 
 TEST(ObjectReader, InteriorsAndPhotons) {
     const Scene scene = scene_of(
-        "sphere { 0, 1 interior { ior 1.5 fade_distance 2 fade_power 1001 fade_color rgb <1,0.5,0.25> dispersion 1.02 caustics 0.5 }\n"
+        "sphere { 0, 1 interior { ior 1.5 fade_distance 2 fade_power 1001 fade_color rgb <1,0.5,0.25> dispersion 1.02 "
+        "caustics 0.5 }\n"
         "  photons { target 0.5 reflection on refraction on collect off } }\n"
         "union { sphere { 0, 1 } sphere { 0, 1 } interior { ior 2 } }");
     const Interior& interior = scene.interiors[scene.objects[0].interior];
@@ -106,8 +111,10 @@ TEST(ObjectReader, InteriorsAndPhotons) {
 }
 
 TEST(ObjectReader, ObjectsKeepTheirOrder) {
-    const Scene scene = scene_of("box { 0, 1 } sphere { 0, 1 } union { plane { y, 0 } torus { 1, 0.1 } } sphere { 0, 1 }");
-    const ShapeKind expected[] = {ShapeKind::box, ShapeKind::sphere, ShapeKind::plane, ShapeKind::torus, ShapeKind::sphere};
+    const Scene scene =
+        scene_of("box { 0, 1 } sphere { 0, 1 } union { plane { y, 0 } torus { 1, 0.1 } } sphere { 0, 1 }");
+    const ShapeKind expected[] = {ShapeKind::box, ShapeKind::sphere, ShapeKind::plane, ShapeKind::torus,
+                                  ShapeKind::sphere};
     ASSERT_EQ(scene.objects.size(), 5u);
     for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(scene.objects[i].kind, expected[i]);
 }

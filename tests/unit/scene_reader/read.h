@@ -33,8 +33,9 @@ inline ::testing::AssertionResult near(const Vec3& found, const Vec3& expected, 
     const double scale = 1 + std::abs(expected.x) + std::abs(expected.y) + std::abs(expected.z);
     for (int i = 0; i < 3; ++i) {
         if (!(std::abs(double(found[i]) - double(expected[i])) <= tolerance * scale)) {
-            return ::testing::AssertionFailure() << "found <" << found.x << ", " << found.y << ", " << found.z << ">, expected <"
-                                                 << expected.x << ", " << expected.y << ", " << expected.z << ">";
+            return ::testing::AssertionFailure()
+                   << "found <" << found.x << ", " << found.y << ", " << found.z << ">, expected <" << expected.x
+                   << ", " << expected.y << ", " << expected.z << ">";
         }
     }
     return ::testing::AssertionSuccess();

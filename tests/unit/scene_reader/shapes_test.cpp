@@ -28,7 +28,8 @@ TEST(ShapeReader, PlaneKeepsItsInside) {
 }
 
 TEST(ShapeReader, BoxIsSortedAndFoldsOnlyAlongItsAxes) {
-    const Scene scene = scene_of("box { <1,-1,2>, <0,1,-2> scale <2,1,1> translate y } box { -1, 1 rotate 45*y } box { -1, 1 scale -1 }");
+    const Scene scene = scene_of(
+        "box { <1,-1,2>, <0,1,-2> scale <2,1,1> translate y } box { -1, 1 rotate 45*y } box { -1, 1 scale -1 }");
     EXPECT_TRUE(near(scene.boxes[0].min, {0, 0, -2}));
     EXPECT_TRUE(near(scene.boxes[0].max, {2, 2, 2}));
     EXPECT_EQ(scene.objects[0].transform, kNone);
@@ -38,7 +39,8 @@ TEST(ShapeReader, BoxIsSortedAndFoldsOnlyAlongItsAxes) {
 
 TEST(ShapeReader, DiscConeCylinder) {
     const Scene scene = scene_of(
-        "disc { <0,1,0>, 2*y, 2, 0.5 scale 2 } cone { 0, 1, y, 0 open translate x } cylinder { 0, 2*y, 0.5 scale <1,1,3> }");
+        "disc { <0,1,0>, 2*y, 2, 0.5 scale 2 } cone { 0, 1, y, 0 open translate x } cylinder { 0, 2*y, 0.5 scale "
+        "<1,1,3> }");
     EXPECT_TRUE(near(scene.discs[0].center, {0, 2, 0}));
     EXPECT_TRUE(near(scene.discs[0].normal, {0, 1, 0}));
     EXPECT_NEAR(scene.discs[0].radius, 4, kClose);
@@ -61,8 +63,8 @@ TEST(ShapeReader, QuadricIsTheFormPovRayMeans) {
     // A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J
     const Scene scene = scene_of("quadric { <1,2,3>, <4,5,6>, <7,8,9>, 10 }");
     const Vec3 p(Real(0.5), -2, Real(1.5));
-    const Real expected = p.x * p.x + 2 * p.y * p.y + 3 * p.z * p.z + 4 * p.x * p.y + 5 * p.x * p.z + 6 * p.y * p.z + 7 * p.x +
-                          8 * p.y + 9 * p.z + 10;
+    const Real expected = p.x * p.x + 2 * p.y * p.y + 3 * p.z * p.z + 4 * p.x * p.y + 5 * p.x * p.z + 6 * p.y * p.z +
+                          7 * p.x + 8 * p.y + 9 * p.z + 10;
     EXPECT_NEAR(form(scene.quadrics[0], p), expected, 100 * kClose);
 }
 
@@ -70,16 +72,17 @@ TEST(ShapeReader, QuadricFollowsItsTransform) {
     const std::string quadric = "quadric { <1,2,-3>, <0.4,0.5,0.6>, <7,8,9>, -10 ";
     const Scene plain = scene_of(quadric + "}");
     const Scene moved = scene_of(quadric + "scale <1,2,3> rotate <10,20,30> translate <1,2,3> }");
-    const Scene point = scene_of("light_source { <0.3,0.6,-0.9>, 1 scale <1,2,3> rotate <10,20,30> translate <1,2,3> }");
+    const Scene point =
+        scene_of("light_source { <0.3,0.6,-0.9>, 1 scale <1,2,3> rotate <10,20,30> translate <1,2,3> }");
     EXPECT_EQ(moved.objects[0].transform, kNone);
-    EXPECT_NEAR(form(moved.quadrics[0], point.lights[0].location), form(plain.quadrics[0], {Real(0.3), Real(0.6), Real(-0.9)}),
-                1000 * kClose);
+    EXPECT_NEAR(form(moved.quadrics[0], point.lights[0].location),
+                form(plain.quadrics[0], {Real(0.3), Real(0.6), Real(-0.9)}), 1000 * kClose);
     EXPECT_EQ(moved.quadrics[0].q, glm::transpose(moved.quadrics[0].q));
 }
 
 TEST(ShapeReader, PolygonContoursCloseWhereTheirFirstPointComesAgain) {
-    const Scene scene = scene_of(
-        "polygon { 10, <0,0>, <4,0>, <4,4>, <0,4>, <0,0>, <1,1>, <2,1>, <2,2>, <1,2>, <1,1> translate z }");
+    const Scene scene =
+        scene_of("polygon { 10, <0,0>, <4,0>, <4,4>, <0,4>, <0,0>, <1,1>, <2,1>, <2,2>, <1,2>, <1,1> translate z }");
     ASSERT_EQ(scene.polygons.size(), 1u);
     EXPECT_EQ(scene.polygons[0].contour_ends, (std::vector<std::uint32_t>{4, 8}));
     EXPECT_TRUE(near(scene.polygons[0].points[5], {2, 1, 1}));
@@ -93,8 +96,8 @@ TEST(ShapeReader, AnOpenPolygonIsClosedWithANote) {
 }
 
 TEST(ShapeReader, WhatPovRayDropsIsDroppedWithANote) {
-    for (const char* text : {"triangle { 0, x, 2*x }", "polygon { 4, 0, x, 2*x, <0,0,0> }", "polygon { 5, 0, x, x+y, y+z, <0,0,0> }",
-                             "smooth_triangle { 0, z, x, z, y, 0 }"}) {
+    for (const char* text : {"triangle { 0, x, 2*x }", "polygon { 4, 0, x, 2*x, <0,0,0> }",
+                             "polygon { 5, 0, x, x+y, y+z, <0,0,0> }", "smooth_triangle { 0, z, x, z, y, 0 }"}) {
         const Scene scene = scene_of(text);
         EXPECT_TRUE(scene.objects.empty()) << text;
         EXPECT_EQ(scene.notes.size(), 1u) << text;
@@ -111,7 +114,8 @@ TEST(ShapeReader, SmoothTriangleNormalsAreUnitAndFollowAsNormals) {
 
 TEST(ShapeReader, MeshJoinsEqualCorners) {
     const Scene scene = scene_of(
-        "mesh { triangle { 0, x, y } triangle { x, y, x+y } triangle { 0, 0, y } smooth_triangle { 0, z, x, z+x, z, z } translate x }");
+        "mesh { triangle { 0, x, y } triangle { x, y, x+y } triangle { 0, 0, y } smooth_triangle { 0, z, x, z+x, z, z "
+        "} translate x }");
     ASSERT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.meshes[0].faces.size(), 3u);  // the degenerate one is gone
     EXPECT_EQ(scene.meshes[0].positions.size(), 5u);
@@ -121,7 +125,8 @@ TEST(ShapeReader, MeshJoinsEqualCorners) {
 }
 
 TEST(ShapeReader, MeshesUsedTwiceAreShared) {
-    const Scene scene = scene_of("#declare M = mesh { triangle { 0, x, y } } object { M translate x } object { M scale 2 }");
+    const Scene scene =
+        scene_of("#declare M = mesh { triangle { 0, x, y } } object { M translate x } object { M scale 2 }");
     EXPECT_EQ(scene.meshes.size(), 1u);
     ASSERT_EQ(scene.objects.size(), 2u);
     EXPECT_NE(scene.objects[0].transform, kNone);
@@ -145,7 +150,8 @@ TEST(ShapeReader, Mesh2) {
 }
 
 TEST(ShapeReader, Mesh2NormalsWithoutIndicesAreTheVertices) {
-    const Scene scene = scene_of("mesh2 { vertex_vectors { 3, 0, x, y } normal_vectors { 3, z, z+x, z+y } face_indices { 1, <0,1,2> } }");
+    const Scene scene = scene_of(
+        "mesh2 { vertex_vectors { 3, 0, x, y } normal_vectors { 3, z, z+x, z+y } face_indices { 1, <0,1,2> } }");
     EXPECT_TRUE(scene.meshes[0].faces[0].smooth);
     EXPECT_EQ(scene.meshes[0].faces[0].normal, (std::array<std::uint32_t, 3>{0, 1, 2}));
 }
@@ -169,11 +175,11 @@ TEST(ShapeReader, PatchAndTorus) {
 }
 
 TEST(ShapeReader, NonsenseIsAnError) {
-    for (const char* text :
-         {"sphere { 0, 0 }", "sphere { 0, -1 }", "plane { 0, 1 }", "box { 0, <1,1,0> }", "disc { 0, y, 1, 1 }", "disc { 0, 0, 1 }",
-          "cone { 0, 1, 0, 2 }", "cone { 0, 0, y, 0 }", "cylinder { 0, y, 0 }", "quadric { 0, 0, 0, 1 }", "torus { 0, 1 }",
-          "polygon { 2, <0,0>, <1,1> }", "mesh { }", "mesh2 { face_indices { 1, <0,1,2> } }",
-          "mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0,1,3> } }"}) {
+    for (const char* text : {"sphere { 0, 0 }", "sphere { 0, -1 }", "plane { 0, 1 }", "box { 0, <1,1,0> }",
+                             "disc { 0, y, 1, 1 }", "disc { 0, 0, 1 }", "cone { 0, 1, 0, 2 }", "cone { 0, 0, y, 0 }",
+                             "cylinder { 0, y, 0 }", "quadric { 0, 0, 0, 1 }", "torus { 0, 1 }",
+                             "polygon { 2, <0,0>, <1,1> }", "mesh { }", "mesh2 { face_indices { 1, <0,1,2> } }",
+                             "mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0,1,3> } }"}) {
         EXPECT_TRUE(contains(error_of(text), "test.pov:1:")) << text;
     }
 }

@@ -11,14 +11,26 @@ TEST(Subset, UnknownWordsAreNamedWithTheirPlaceAndWhatIsSupported) {
 }
 
 TEST(Subset, EveryOtherWordOfPovRayIsRefusedNotIgnored) {
-    for (const char* text :
-         {"sky_sphere { pigment { rgb 1 } }", "fog { distance 1 }", "intersection { sphere { 0, 1 } }", "merge { sphere { 0, 1 } }",
-          "difference { sphere { 0, 1 } }", "isosurface { }", "height_field { }", "sphere { 0, 1 normal { bumps 1 } }",
-          "sphere { 0, 1 pigment { granite } }", "sphere { 0, 1 finish { irid { 1 } } }", "sphere { 0, 1 finish { brilliance 2 } }",
-          "sphere { 0, 1 no_image }", "camera { fisheye }", "light_source { 0, 1 looks_like { sphere { 0, 1 } } }",
-          "global_settings { radiosity { } }", "#fopen F \"x\" read", "sphere { 0, 1 interior_texture { pigment { rgb 1 } } }",
-          "#declare S = spline { linear_spline 0, 0 1, 1 }", "sphere { 0, 1 texture { pigment { checker turbulence 1 } } }",
-          "#declare N = now;"}) {
+    for (const char* text : {"sky_sphere { pigment { rgb 1 } }",
+                             "fog { distance 1 }",
+                             "intersection { sphere { 0, 1 } }",
+                             "merge { sphere { 0, 1 } }",
+                             "difference { sphere { 0, 1 } }",
+                             "isosurface { }",
+                             "height_field { }",
+                             "sphere { 0, 1 normal { bumps 1 } }",
+                             "sphere { 0, 1 pigment { granite } }",
+                             "sphere { 0, 1 finish { irid { 1 } } }",
+                             "sphere { 0, 1 finish { brilliance 2 } }",
+                             "sphere { 0, 1 no_image }",
+                             "camera { fisheye }",
+                             "light_source { 0, 1 looks_like { sphere { 0, 1 } } }",
+                             "global_settings { radiosity { } }",
+                             "#fopen F \"x\" read",
+                             "sphere { 0, 1 interior_texture { pigment { rgb 1 } } }",
+                             "#declare S = spline { linear_spline 0, 0 1, 1 }",
+                             "sphere { 0, 1 texture { pigment { checker turbulence 1 } } }",
+                             "#declare N = now;"}) {
         EXPECT_TRUE(contains(error_of(text), "test.pov:1:")) << text;
     }
 }
@@ -26,8 +38,9 @@ TEST(Subset, EveryOtherWordOfPovRayIsRefusedNotIgnored) {
 TEST(Subset, AcceptedWithANote) {
     for (const char* text :
          {"sphere { 0, 1 bounded_by { box { -1, 1 } } }", "sphere { 0, 1 pigment { rgb 1 quick_color rgb 0 } }",
-          "global_settings { max_intersections 64 }", "torus { 1, 0.5 sturm }", "camera { confidence 0.9 }", "#undef Nothing",
-          "global_settings { charset utf8 }", "#warning \"careful\"", "light_source { 0, 1 area_illumination on }"}) {
+          "global_settings { max_intersections 64 }", "torus { 1, 0.5 sturm }", "camera { confidence 0.9 }",
+          "#undef Nothing", "global_settings { charset utf8 }", "#warning \"careful\"",
+          "light_source { 0, 1 area_illumination on }"}) {
         const Scene scene = scene_of(text);
         ASSERT_EQ(scene.notes.size(), 1u) << text;
         EXPECT_TRUE(contains(scene.notes[0], "test.pov:1:")) << scene.notes[0];
@@ -36,7 +49,8 @@ TEST(Subset, AcceptedWithANote) {
 
 TEST(Subset, PovRaysIncludeFilesThatParse) {
     if (povray_include_folder().empty()) GTEST_SKIP() << "POV-Ray's include files are not installed";
-    for (const char* name : {"colors", "consts", "math", "transforms", "rand", "finish", "functions", "shapes", "strings"}) {
+    for (const char* name :
+         {"colors", "consts", "math", "transforms", "rand", "finish", "functions", "shapes", "strings"}) {
         EXPECT_EQ(error_of("#include \"" + std::string(name) + ".inc\""), "") << name;
     }
     const Scene scene = scene_of("#include \"colors.inc\"\nsphere { 0, 1 pigment { color SteelBlue } }");
@@ -45,7 +59,8 @@ TEST(Subset, PovRaysIncludeFilesThatParse) {
     std::string printed;
     ReadOptions options;
     options.debug = [&printed](const std::string& text) { printed += text; };
-    scene_of("#include \"colors.inc\"\n#declare C = CHSL2RGB(<120, 0.5, 0.25>); #debug vstr(3, C, \" \", 0, 6)", options);
+    scene_of("#include \"colors.inc\"\n#declare C = CHSL2RGB(<120, 0.5, 0.25>); #debug vstr(3, C, \" \", 0, 6)",
+             options);
     EXPECT_EQ(printed, "0.125000 0.375000 0.125000");
 }
 

@@ -7,7 +7,8 @@ namespace rays {
 namespace {
 
 Real look_up(const Varying& table, double value) {
-    const double at = (value - double(table.first)) / double(table.last - table.first) * double(table.samples.size() - 1);
+    const double at =
+        (value - double(table.first)) / double(table.last - table.first) * double(table.samples.size() - 1);
     const std::size_t i = std::min(static_cast<std::size_t>(at), table.samples.size() - 2);
     const double rest = at - double(i);
     return static_cast<Real>(double(table.samples[i]) * (1 - rest) + double(table.samples[i + 1]) * rest);
@@ -35,9 +36,9 @@ TEST(Tabulate, TablesAreWithinTheirStatedError) {
         const Scene exact = scene_of(kMoving, options);
         EXPECT_TRUE(exact.varying.empty());
         const std::map<std::string, double> truth = {
-            {"spheres[0].center.x", exact.spheres[0].center.x},     {"spheres[0].center.z", exact.spheres[0].center.z},
-            {"spheres[0].radius", exact.spheres[0].radius},         {"lights[0].location.x", exact.lights[0].location.x},
-            {"lights[0].location.y", exact.lights[0].location.y},   {"lights[0].color.green", exact.lights[0].color[1]},
+            {"spheres[0].center.x", exact.spheres[0].center.x},   {"spheres[0].center.z", exact.spheres[0].center.z},
+            {"spheres[0].radius", exact.spheres[0].radius},       {"lights[0].location.x", exact.lights[0].location.x},
+            {"lights[0].location.y", exact.lights[0].location.y}, {"lights[0].color.green", exact.lights[0].color[1]},
         };
         for (const auto& [what, value] : truth) {
             const Varying* table = find(scene, what);
@@ -94,7 +95,8 @@ TEST(Tabulate, SwitchedOffTheFirstValueStays) {
 TEST(Tabulate, WhatNoTableCanHoldIsAnError) {
     EXPECT_TRUE(contains(error_of("#if (Time > 0.3) sphere { 0, 1 } #end"), "other parts at Time"));
     EXPECT_TRUE(contains(error_of("sphere { <(Time > 0.3), 0, 0>, 1 }"), "too abruptly"));
-    EXPECT_TRUE(contains(error_of("sphere { <Time*Wavelength, 0, 0>, 1 }"), "spheres[0].center.x depends on Time and on Wavelength"));
+    EXPECT_TRUE(contains(error_of("sphere { <Time*Wavelength, 0, 0>, 1 }"),
+                         "spheres[0].center.x depends on Time and on Wavelength"));
     EXPECT_TRUE(contains(error_of("sphere { Time*x, 1 + Time*(Wavelength > 500) }"), "depends on"));
 }
 

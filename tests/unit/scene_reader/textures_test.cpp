@@ -18,8 +18,10 @@ TEST(TextureReader, FinishDefaultsArePovRays) {
 
 TEST(TextureReader, EveryWordOfAFinish) {
     const Scene scene = scene_of(
-        "sphere { 0, 1 finish { ambient rgb <1,2,3> diffuse 0.5 emission 0.25 phong 0.7 phong_size 80 specular 0.3 roughness 0.01\n"
-        "metallic 0.5 reflection { 0.1, 0.9 fresnel on falloff 2 exponent 0.5 metallic } conserve_energy brilliance 1 } }");
+        "sphere { 0, 1 finish { ambient rgb <1,2,3> diffuse 0.5 emission 0.25 phong 0.7 phong_size 80 specular 0.3 "
+        "roughness 0.01\n"
+        "metallic 0.5 reflection { 0.1, 0.9 fresnel on falloff 2 exponent 0.5 metallic } conserve_energy brilliance 1 "
+        "} }");
     const Finish& finish = worn(scene, 0).finish;
     EXPECT_EQ(finish.ambient[2], 3);
     EXPECT_EQ(finish.diffuse, 0.5f);
@@ -39,7 +41,9 @@ TEST(TextureReader, EveryWordOfAFinish) {
 }
 
 TEST(TextureReader, ReflectionInShort) {
-    const Scene scene = scene_of("sphere { 0, 1 finish { reflection rgb <0.1,0.2,0.3> } } sphere { 0, 1 finish { reflection { 0.5 fresnel } } }");
+    const Scene scene = scene_of(
+        "sphere { 0, 1 finish { reflection rgb <0.1,0.2,0.3> } } sphere { 0, 1 finish { reflection { 0.5 fresnel } } "
+        "}");
     EXPECT_EQ(worn(scene, 0).finish.reflection.min[1], 0.2f);
     EXPECT_EQ(worn(scene, 0).finish.reflection.max[2], 0.3f);
     EXPECT_EQ(worn(scene, 1).finish.reflection.min[0], 0);  // one colour with fresnel: from black
@@ -48,7 +52,8 @@ TEST(TextureReader, ReflectionInShort) {
 
 TEST(TextureReader, AlbedoIsWorkedIn) {
     // methods.md 2 (f): measured 5.5 for size 10 and 1.52 for roughness 1/10.
-    const Scene scene = scene_of("sphere { 0, 1 finish { phong albedo 1 phong_size 10 specular albedo 1 roughness 0.1 } }");
+    const Scene scene =
+        scene_of("sphere { 0, 1 finish { phong albedo 1 phong_size 10 specular albedo 1 roughness 0.1 } }");
     EXPECT_FLOAT_EQ(worn(scene, 0).finish.phong, 5.5f);
     EXPECT_NEAR(worn(scene, 0).finish.specular, 12 / (4 * (2 - std::pow(2.0, -5.0))), 1e-5);
 }
@@ -90,9 +95,11 @@ TEST(TextureReader, TexturesMoveWithWhatIsDoneAfterThem) {
 
 TEST(TextureReader, NamesOfEveryKind) {
     const Scene scene = scene_of(
-        "#declare P = pigment { rgb 0.5 } #declare F = finish { phong 1 } #declare T = texture { pigment { P } finish { F } }\n"
+        "#declare P = pigment { rgb 0.5 } #declare F = finish { phong 1 } #declare T = texture { pigment { P } finish "
+        "{ F } }\n"
         "#declare M = material { texture { T } interior { ior 1.5 } } #declare I = interior { ior 2 }\n"
-        "sphere { 0, 1 texture { T } } sphere { 0, 1 pigment { P } finish { F diffuse 0 } } sphere { 0, 1 material { M } }\n"
+        "sphere { 0, 1 texture { T } } sphere { 0, 1 pigment { P } finish { F diffuse 0 } } sphere { 0, 1 material { M "
+        "} }\n"
         "sphere { 0, 1 texture { T finish { phong 0.25 } } interior { I } }");
     EXPECT_EQ(worn(scene, 0).finish.phong, 1);
     EXPECT_EQ(worn(scene, 1).finish.diffuse, 0);
@@ -104,18 +111,22 @@ TEST(TextureReader, NamesOfEveryKind) {
 }
 
 TEST(TextureReader, OneMaterialForAllWhoShareIt) {
-    const Scene scene = scene_of("#declare T = texture { pigment { rgb 1 } } #for (I, 1, 9) sphere { I, 1 texture { T } } #end");
+    const Scene scene =
+        scene_of("#declare T = texture { pigment { rgb 1 } } #for (I, 1, 9) sphere { I, 1 texture { T } } #end");
     EXPECT_EQ(scene.materials.size(), 1u);
 }
 
 TEST(TextureReader, AnOpaqueLayerHidesWhatIsBelow) {
     const Scene scene = scene_of("sphere { 0, 1 texture { pigment { rgb 0.25 } } texture { pigment { rgb 0.5 } } }");
     EXPECT_EQ(worn(scene, 0).pigment.color.rgb[0], 0.5f);
-    EXPECT_TRUE(contains(error_of("sphere { 0, 1 texture { pigment { rgb 0.25 } } texture { pigment { rgbt 0.5 } } }"), "layered"));
+    EXPECT_TRUE(contains(error_of("sphere { 0, 1 texture { pigment { rgb 0.25 } } texture { pigment { rgbt 0.5 } } }"),
+                         "layered"));
 }
 
 TEST(TextureReader, FilterAndTransmit) {
-    const Scene scene = scene_of("sphere { 0, 1 pigment { color rgbft <0.1, 0.2, 0.3, 0.4, 0.5> } } sphere { 0, 1 pigment { rgb 1 transmit 0.25 } }");
+    const Scene scene = scene_of(
+        "sphere { 0, 1 pigment { color rgbft <0.1, 0.2, 0.3, 0.4, 0.5> } } sphere { 0, 1 pigment { rgb 1 transmit 0.25 "
+        "} }");
     EXPECT_EQ(worn(scene, 0).pigment.color.filter, 0.4f);
     EXPECT_EQ(worn(scene, 0).pigment.color.transmit, 0.5f);
     EXPECT_EQ(worn(scene, 1).pigment.color.transmit, 0.25f);
