@@ -286,7 +286,7 @@ std::optional<FreshScene> fresh_scene(const std::string& task, std::uint64_t see
     if (task == "1.2") view.sdl = orthographic(dice, view);
     scene.sdl = "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\nbackground { rgb <0.1, 0.15, 0.25> }\n" +
                 view.sdl + recipe->second.lamps(dice) + recipe->second.things(dice);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < kProbes; ++i) {
         const V target = dice.place(1.2);
         scene.rays.push_back(fmt::format("{} {} {} {} {} {}", view.location[0], view.location[1], view.location[2],
                                          target[0] - view.location[0], target[1] - view.location[1],
@@ -298,10 +298,12 @@ std::optional<FreshScene> fresh_scene(const std::string& task, std::uint64_t see
 std::vector<Question> probe_questions(const std::vector<std::string>& tasks, std::uint64_t seed) {
     std::vector<Question> questions;
     for (const std::string& task : tasks) {
-        const auto scene = fresh_scene(task, seed);
-        if (!scene) continue;
-        for (const std::string& ray : scene->rays)
-            questions.push_back({task, scene->sdl, "radiance " + ray, "a ray through a fresh scene", {}});
+        for (std::uint64_t i = 0; i < kProbeScenes; ++i) {
+            const auto scene = fresh_scene(task, seed + i);
+            if (!scene) break;
+            for (const std::string& ray : scene->rays)
+                questions.push_back({task, scene->sdl, "radiance " + ray, "a ray through a fresh scene", {}});
+        }
     }
     return questions;
 }

@@ -17,6 +17,7 @@ struct FreshScene {
 
 inline constexpr int kFreshWidth = 56, kFreshHeight = 42;
 inline constexpr int kFreshScenesPerTask = 2;
+inline constexpr int kProbes = 8, kProbeScenes = 4;  ///< rays of a scene and scenes of a task for fingerprints
 
 /// A small scene about one task ("1.3": spheres), with as little else as possible. Nothing for a task without fresh
 /// scenes. The same seed gives the same text.

@@ -84,5 +84,16 @@ TEST(DiagnosticQuestions, AreTheSameEveryTime) {
     EXPECT_NE(questions_hash(once), questions_hash(diagnostic_questions(2, {"2.1"})));
 }
 
+TEST(QuestionsHash, LastBitsAreNoOtherQuestion) {
+    const auto hash = [](const std::string& scene, const std::string& query) {
+        return questions_hash({{"1.3", scene, query, "", {}}});
+    };
+    const std::string one = hash("sphere { <1, -.5, 0>, 2 }", "root 0 0.30000000000000004 1e-17 -3");
+    EXPECT_EQ(one, hash("sphere { <1, -.5, 0>, 2 }", "root 0 0.3 0 -3"));
+    EXPECT_NE(one, hash("sphere { <1, -.5, 0>, 2 }", "root 0 0.3001 0 -3"));
+    EXPECT_NE(one, hash("sphere { <1, .5, 0>, 2 }", "root 0 0.3 0 -3"));
+    EXPECT_NE(one, hash("sphere { <1, -.5, 0>, 2 }", "root 1 0.3 0 -3"));
+}
+
 }  // namespace
 }  // namespace rays::grader
