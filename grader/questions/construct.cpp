@@ -36,8 +36,8 @@ void frame(const V& n, V& x, V& y) {
 }
 
 std::string number(L v) { return fmt::format("{}", static_cast<double>(v)); }
-std::string numbers(const V& v) { return number(v.x) + " " + number(v.y) + " " + number(v.z); }
-std::string vector(const V& v) { return "<" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ">"; }
+std::string numbers(const V& v) { return fmt::format("{} {} {}", number(v.x), number(v.y), number(v.z)); }
+std::string vector(const V& v) { return fmt::format("<{}, {}, {}>", number(v.x), number(v.y), number(v.z)); }
 
 std::string scene_of(const std::string& objects) {
     return "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 0, -10> look_at <0, 0, 0> }\n"
