@@ -117,6 +117,12 @@ std::string shade(const Stage& stage, Words& words, Term term) {
     return text(term(surface, Illumination{to_light, 1, Radiance(1.0f)}));
 }
 
+std::string whole_ray(const Stage& stage, Words& words) {
+    World world = make_world(stage.scene, stage.intersector);
+    const Ray ray = words.ray();
+    return text(radiance(world, ray, media_around(stage.scene, ray.origin)));
+}
+
 using Answerer = std::string (*)(const Stage&, Words&);
 
 const std::map<std::string, Answerer, std::less<>>& answerers() {
@@ -159,7 +165,7 @@ const std::map<std::string, Answerer, std::less<>>& answerers() {
              return text(in_shadow(s.intersector, surface, illuminate(s.light(w), surface.point)));
          }},
         {"occluded", [](const Stage& s, Words& w) { const Ray ray = w.ray(); return text(s.intersector.occluded(ray, w.interval())); }},
-        {"radiance", [](const Stage& s, Words& w) { return text(radiance(s.scene, s.intersector, w.ray())); }},
+        {"radiance", [](const Stage& s, Words& w) { return whole_ray(s, w); }},
     };
     return table;
 }

@@ -22,7 +22,7 @@ namespace rays {
 namespace {
 
 struct Arguments {
-    std::string scene, output, stats, pixel;
+    std::string scene, output, stats, pixel, partition = "auto";
     RenderOptions options;
     std::vector<std::string> without;
     bool needs = false, json = false, answer = false, everything = false;
@@ -43,13 +43,16 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void check(const Arguments& a) {
+void check(Arguments& a) {
     const auto [width, height] = a.options.raster;
     if (width < 1 || height < 1 || width > 32768 || height > 32768 || std::int64_t{width} * height > (1 << 28))
         throw InputError(fmt::format("a picture of {} x {} pixels: need 1 to 32768 each way and at most 2^28 in all", width, height));
     const auto side = std::lround(std::sqrt(a.options.samples));
     if (a.options.samples < 1 || a.options.samples > 4096 || side * side != a.options.samples)
         throw InputError(fmt::format("--samples {}: need a square number up to 4096; other patterns come with step 5", a.options.samples));
+    const auto partition = partition_named(a.partition);
+    if (!partition) throw InputError(fmt::format("--partition {}: need auto, none, grid, octree or bvh", a.partition));
+    a.options.partition = *partition;
     if (a.options.threads < 0 || a.options.threads > 1024)
         throw InputError(fmt::format("--threads {}: need 0 (one a core) to 1024", a.options.threads));
 }
@@ -130,7 +133,7 @@ int explain_pixel(const Arguments& a) {
     char rest = 0;
     if (std::sscanf(a.pixel.c_str(), "%d,%d%c", &x, &y, &rest) != 2 || x < 0 || y < 0 || x >= a.options.raster.width || y >= a.options.raster.height)
         throw InputError(fmt::format("--explain {}: need X,Y within {} x {}", a.pixel, a.options.raster.width, a.options.raster.height));
-    const QueryLog log = explain(stage(a), a.options.raster, x, y);
+    const QueryLog log = explain(stage(a), a.options, x, y);
     std::cout << (a.json ? log.to_json() : log.to_text());
     list_unfinished();
     return kSuccess;
@@ -157,6 +160,7 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("--samples", a.options.samples, "a pixel; a square number")->capture_default_str();
     app.add_option("--seed", a.options.seed, "of everything random")->capture_default_str();
     app.add_option("--threads", a.options.threads, "0: one a core")->capture_default_str();
+    app.add_option("--partition", a.partition, "auto, none, grid, octree or bvh; the picture is the same")->capture_default_str();
     app.add_option("--without", a.without, "leave an effect out (see --needs); may be repeated")->allow_extra_args(false);
     app.add_option("--stats", a.stats, "write times and unfinished tasks to this file, as JSON");
     app.add_flag("--everything", a.everything, "compose also what the scene does not need; the picture stays the same");

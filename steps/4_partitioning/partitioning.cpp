@@ -1,0 +1,58 @@
+// Step 4, spatial partitioning: what is partitioned, the one test of a primitive, and the choice.
+#include "4_partitioning/partitioning.h"
+
+#include <cmath>
+
+#include "core/unfinished.h"
+
+namespace rays {
+
+std::vector<Primitive> primitives_of(const Scene& scene) {
+    std::vector<Primitive> primitives;
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const std::size_t parts = object.kind == ShapeKind::mesh ? scene.meshes[object.shape].faces.size() : 1;
+        for (std::uint32_t part = 0; part < parts; ++part) primitives.push_back({i, part});
+    }
+    return primitives;
+}
+
+void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range, Candidate& best) const {
+    // A little beyond the best root, so that one at equal t is seen too; the rule for ties then decides.
+    if (best.primitive != kNone) range.max = std::nextafter(best.root.t, kInfinity);
+    const Primitive p = primitives_[primitive];
+    const auto root = intersect_part(*scene_, scene_->objects[p.object], p.part, ray, range);
+    if (!root) return;
+    if (best.primitive == kNone || root->t < best.root.t || (root->t == best.root.t && primitive < best.primitive))
+        best = {*root, primitive};
+}
+
+bool PrimitiveTester::blocks(std::uint32_t primitive, const Ray& ray, Interval range) const {
+    const Primitive p = primitives_[primitive];
+    const Object& object = scene_->objects[p.object];
+    return !object.no_shadow && intersect_part(*scene_, object, p.part, ray, range).has_value();
+}
+
+std::optional<Hit> PrimitiveTester::complete(const Ray& ray, const Candidate& best) const {
+    if (best.primitive == kNone) return std::nullopt;
+    return complete_hit(*scene_, primitives_[best.primitive].object, ray, best.root);
+}
+
+std::optional<Partition> partition_named(std::string_view name) {
+    if (name == "auto") return Partition::automatic;
+    if (name == "none") return Partition::none;
+    if (name == "grid") return Partition::grid;
+    if (name == "octree") return Partition::octree;
+    if (name == "bvh") return Partition::bvh;
+    return std::nullopt;
+}
+
+Partition choose_partition(const Scene&) {
+    return Partition::none;
+}
+
+std::unique_ptr<Intersector> make_structure(const Scene&, Partition) {
+    return nullptr;
+}
+
+}  // namespace rays
