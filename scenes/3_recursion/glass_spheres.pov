@@ -1,7 +1,7 @@
 // Glass: a ball, a ball with an air bubble in it, a ball in a ball of water, and two that touch. Whoever turns the
 // index over, or forgets to flip the normal on the way out, sees the world the wrong way up.
 #version 3.7;
-global_settings { assumed_gamma 1.0 max_trace_level 16 adc_bailout 0 }
+global_settings { assumed_gamma 1.0 max_trace_level 7 adc_bailout 0 }
 camera { location <0, 2.2, -7.5> right x*image_width/image_height up y angle 40 look_at <0, 0.85, 0> }
 background { rgb <0.35, 0.5, 0.75> }
 light_source { <-5, 8, -6>, rgb 1 }

@@ -1,7 +1,7 @@
 // Glass that overlaps glass: the medium entered last counts; leaving the other one bends nothing. Straws in drinks, a
 // ball half in a block, three shells.
 #version 3.7;
-global_settings { assumed_gamma 1.0 max_trace_level 16 adc_bailout 0 }
+global_settings { assumed_gamma 1.0 max_trace_level 7 adc_bailout 0 }
 camera { location <0.3, 2, -7> right x*image_width/image_height up y angle 40 look_at <0, 0.9, 0> }
 background { rgb <0.75, 0.8, 0.85> }
 light_source { <-5, 9, -6>, rgb 1 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 
 namespace rays {
@@ -50,12 +51,26 @@ std::optional<Partition> partition_named(std::string_view name) {
 
 //< given
 
-Partition choose_partition(const Scene&) {
-    return Partition::none;
+Partition choose_partition(const Scene& scene) {
+    //> 4.9 none for a few primitives, where asking all is fastest; else the fastest structure. Measure where they cross.
+    std::size_t primitives = 0;
+    for (const Object& object : scene.objects)
+        primitives += object.kind == ShapeKind::mesh ? scene.meshes[object.shape].faces.size() : 1;
+    return primitives <= kCrossover ? Partition::none : Partition::bvh;
+    //< 4.9
 }
 
-std::unique_ptr<Intersector> make_structure(const Scene&, Partition) {
+//> given
+std::unique_ptr<Intersector> make_structure(const Scene& scene, Partition partition) {
+    switch (partition) {
+        case Partition::grid: return make_grid(scene);
+        case Partition::octree: return make_octree(scene);
+        case Partition::bvh: return make_bvh(scene);
+        case Partition::automatic:
+        case Partition::none: break;
+    }
     return nullptr;
 }
+//< given
 
 }  // namespace rays

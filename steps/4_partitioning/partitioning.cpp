@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 
 namespace rays {
@@ -47,11 +48,20 @@ std::optional<Partition> partition_named(std::string_view name) {
     return std::nullopt;
 }
 
-Partition choose_partition(const Scene&) {
-    return Partition::none;
+Partition choose_partition(const Scene& scene) {
+    // Task 4.9: none for a few primitives, where asking all is fastest; else the fastest structure. Measure where they cross.
+    unfinished("4.9");
+    return {};
 }
 
-std::unique_ptr<Intersector> make_structure(const Scene&, Partition) {
+std::unique_ptr<Intersector> make_structure(const Scene& scene, Partition partition) {
+    switch (partition) {
+        case Partition::grid: return make_grid(scene);
+        case Partition::octree: return make_octree(scene);
+        case Partition::bvh: return make_bvh(scene);
+        case Partition::automatic:
+        case Partition::none: break;
+    }
     return nullptr;
 }
 

@@ -70,6 +70,12 @@ private:
     std::vector<Primitive> primitives_;
 };
 
+// ---- Task 4.1: bounds -------------------------------------------------------------------------------------------------
+
+/// A box around all points of a primitive, as its object is placed and clipped. Loose is right, tight is fast; rounding
+/// errs outwards. Unbounded: planes, quadrics, unless a clip bounds them.
+Bounds bounds_of(const Scene& scene, Primitive primitive);
+
 // ---- The structures --------------------------------------------------------------------------------------------------
 
 /// none: every object is asked, by step 1's nearest_hit and step 2's any_occluder.
@@ -77,6 +83,9 @@ enum class Partition { automatic, none, grid, octree, bvh };
 
 /// "auto", "none", "grid", "octree", "bvh".
 std::optional<Partition> partition_named(std::string_view name);
+
+/// Up to this many primitives asking all is fastest (measured: NOTES.md).
+inline constexpr std::size_t kCrossover = 12;
 
 /// What `automatic` stands for in this scene: none below the measured crossover (NOTES.md).
 Partition choose_partition(const Scene& scene);

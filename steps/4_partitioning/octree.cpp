@@ -1,0 +1,4 @@
+#include "4_partitioning/structures.h"
+namespace rays {
+std::unique_ptr<Intersector> make_octree(const Scene& scene) { return make_bvh(scene); }
+}  // namespace rays
