@@ -3,10 +3,13 @@
 
 #include <cmath>
 
+#include "4_partitioning/effort.h"
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 
 namespace rays {
+
+constinit thread_local Effort* effort = nullptr;
 
 std::vector<Primitive> primitives_of(const Scene& scene) {
     std::vector<Primitive> primitives;
@@ -19,6 +22,8 @@ std::vector<Primitive> primitives_of(const Scene& scene) {
 }
 
 void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range, Candidate& best) const {
+    if (effort) [[unlikely]]
+        ++effort->tests;
     // A little beyond the best root, so that one at equal t is seen too; the rule for ties then decides.
     if (best.primitive != kNone) range.max = std::nextafter(best.root.t, kInfinity);
     const Primitive p = primitives_[primitive];
@@ -29,6 +34,8 @@ void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray, Inter
 }
 
 bool PrimitiveTester::blocks(std::uint32_t primitive, const Ray& ray, Interval range) const {
+    if (effort) [[unlikely]]
+        ++effort->tests;
     const Primitive p = primitives_[primitive];
     const Object& object = scene_->objects[p.object];
     return !object.no_shadow && intersect_part(*scene_, object, p.part, ray, range).has_value();
@@ -53,6 +60,31 @@ Partition choose_partition(const Scene& scene) {
     unfinished("4.9");
     return {};
 }
+
+namespace {
+
+class Exhaustive final : public Intersector {
+public:
+    explicit Exhaustive(const Scene& scene) : tester_(scene) {}
+
+private:
+    std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
+        Candidate best;
+        for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i) tester_.keep_nearer(i, ray, range, best);
+        return tester_.complete(ray, best);
+    }
+    bool find_occluder(const Ray& ray, Interval range) const override {
+        for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i)
+            if (tester_.blocks(i, ray, range)) return true;
+        return false;
+    }
+
+    PrimitiveTester tester_;
+};
+
+}  // namespace
+
+std::unique_ptr<Intersector> make_exhaustive(const Scene& scene) { return std::make_unique<Exhaustive>(scene); }
 
 std::unique_ptr<Intersector> make_structure(const Scene& scene, Partition partition) {
     switch (partition) {
