@@ -21,13 +21,21 @@ std::vector<Primitive> primitives_of(const Scene& scene) {
     return primitives;
 }
 
+namespace {
+
+bool is_iterated(ShapeKind kind) { return kind == ShapeKind::torus || kind == ShapeKind::bicubic_patch; }
+
+}  // namespace
+
 void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range, Candidate& best) const {
     if (effort) [[unlikely]]
         ++effort->tests;
-    // A little beyond the best root, so that one at equal t is seen too; the rule for ties then decides.
-    if (best.primitive != kNone) range.max = std::nextafter(best.root.t, kInfinity);
     const Primitive p = primitives_[primitive];
-    const auto root = intersect_part(*scene_, scene_->objects[p.object], p.part, ray, range);
+    const Object& object = scene_->objects[p.object];
+    // A little beyond the best root, so that one at equal t is seen too; the rule for ties then decides. Iterations that
+    // start from the ends of the range would make the last bits depend on the order of the questions.
+    if (best.primitive != kNone && !is_iterated(object.kind)) range.max = std::nextafter(best.root.t, kInfinity);
+    const auto root = intersect_part(*scene_, object, p.part, ray, range);
     if (!root) return;
     if (best.primitive == kNone || root->t < best.root.t || (root->t == best.root.t && primitive < best.primitive))
         best = {*root, primitive};
@@ -70,11 +78,12 @@ public:
 private:
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
         Candidate best;
+        if (!is_ray(ray)) return std::nullopt;
         for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i) tester_.keep_nearer(i, ray, range, best);
         return tester_.complete(ray, best);
     }
     bool find_occluder(const Ray& ray, Interval range) const override {
-        for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i)
+        for (std::uint32_t i = 0; is_ray(ray) && i < tester_.primitives().size(); ++i)
             if (tester_.blocks(i, ray, range)) return true;
         return false;
     }

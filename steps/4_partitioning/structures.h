@@ -47,9 +47,12 @@ Contents contents_of(const Scene& scene, const std::vector<Primitive>& primitive
 /// How far computed points of a ray in this box may be off the true ones.
 Real rounding_of(const Ray& ray, const Bounds& box);
 
+/// False for what is no ray: a NaN or an infinity in it, no direction, or one so long or short that its square is no
+/// number. Structures answer such questions with a miss, at once.
+bool is_ray(const Ray& ray);
+
 /// The ray with every component of the direction at least a rounding error of the largest: what is computed from its
-/// inverse is finite then. Nothing unless origin and direction are finite numbers and the direction is not 0. The point
-/// at t moves by less than rounding_of.
+/// inverse is finite then. The point at t moves by less than rounding_of. Nothing unless it is_ray.
 std::optional<Ray> without_zeros(const Ray& ray);
 
 // ---- Tasks 4.3, 4.4, 4.5: the uniform grid ---------------------------------------------------------------------------
