@@ -30,11 +30,13 @@ bool Inside::leave(Medium medium) {
 
 World make_world(const Scene& scene, const Intersector& intersector) {
     const auto lets_light_through = [](const Color& c) { return c.filter != 0 || c.transmit != 0; };
-    const bool clear = std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
-        const Pigment& p = m.pigment;
+    const auto clear = [&](const Object& object) {
+        const Pigment& p = scene.materials[object.material].pigment;
         return lets_light_through(p.color) || (p.checker_other && lets_light_through(*p.checker_other));
-    });
-    return {scene, intersector, clear};
+    };
+    const auto clear_caster = [&](const Object& object) { return !object.no_shadow && clear(object); };
+    const auto any = [&](const auto& what) { return std::any_of(scene.objects.begin(), scene.objects.end(), what); };
+    return {scene, intersector, any(clear), scene.settings.filtered_shadows && any(clear_caster)};
 }
 //< given
 

@@ -80,7 +80,8 @@ struct Branch {
 struct World {
     const Scene& scene;
     const Intersector& intersector;
-    bool filtered_shadows = false;  ///< something that casts shadows lets light through
+    bool sees_through = false;      ///< something lets light through: it matters which media rays are in
+    bool filtered_shadows = false;  ///< and casts shadows: they are tinted
     double pruned = 0;              ///< sum of the weights of all branches that were not traced: what the pixel may
                                     ///< lack is at most this, times the brightest radiance of the scene
 };

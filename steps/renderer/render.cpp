@@ -24,7 +24,7 @@ Radiance striped(const Radiance& value, int x, int y) {
 class CameraMedia {
 public:
     explicit CameraMedia(const World& world)
-        : scene_(world.scene), asked_(world.filtered_shadows),
+        : scene_(world.scene), asked_(world.sees_through),
           fixed_(world.scene.camera.kind == Camera::Kind::perspective) {
         if (asked_ && fixed_) media_ = media_around(scene_, scene_.camera.location);
     }

@@ -46,7 +46,7 @@ TEST(Render, ProgressEndsAtOne) {
 
 TEST(Explain, TheTreeBeginsWithTheCameraRayAndHoldsTheShadowRay) {
     const Scene scene = staged(tests::kBallOnFloor);
-    const QueryLog log = explain(scene, {40, 30}, 20, 18);
+    const QueryLog log = explain(scene, {.raster = {40, 30}}, 20, 18);
     ASSERT_GE(log.queries.size(), 2u);
     EXPECT_EQ(log.queries[0].kind, "camera");
     EXPECT_TRUE(log.queries[0].hit.has_value());
@@ -57,7 +57,7 @@ TEST(Explain, TheTreeBeginsWithTheCameraRayAndHoldsTheShadowRay) {
 TEST(Explain, TheRadianceIsThePixels) {
     const Scene scene = staged(tests::kBallOnFloor);
     const Film film = render(scene, {.raster = {40, 30}});
-    const QueryLog log = explain(scene, {40, 30}, 17, 11);
+    const QueryLog log = explain(scene, {.raster = {40, 30}}, 17, 11);
     for (int c = 0; c < 3; ++c) EXPECT_EQ(log.queries.front().radiance[c], film.at(17, 11)[c]);
 }
 
