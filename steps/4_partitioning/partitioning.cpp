@@ -18,20 +18,42 @@ std::vector<Primitive> primitives_of(const Scene& scene) {
     return primitives;
 }
 
+PrimitiveTester::PrimitiveTester(const Scene& scene) : scene_(&scene), primitives_(primitives_of(scene)) {
+    dispatch_.reserve(primitives_.size());
+    for (const Primitive& p : primitives_) {
+        const Object& object = scene.objects[p.object];
+        const bool plain = object.transform == kNone && object.clip == kNone;
+        dispatch_.push_back({object.shape, object.kind, plain, !object.no_shadow});
+    }
+}
+
+// Most primitives of large scenes are plain spheres, faces, triangles and cones, and most have a floor: they are asked without detours.
+std::optional<Root> PrimitiveTester::intersect_one(std::uint32_t primitive, const Ray& ray, Interval range) const {
+    const Dispatch& d = dispatch_[primitive];
+    const Primitive p = primitives_[primitive];
+    if (d.plain) {
+        if (d.kind == ShapeKind::sphere) return intersect(scene_->spheres[d.shape], ray, range);
+        if (d.kind == ShapeKind::mesh) return intersect(scene_->meshes[d.shape], p.part, ray, range);
+        if (d.kind == ShapeKind::triangle) return intersect(scene_->triangles[d.shape], ray, range);
+        if (d.kind == ShapeKind::cone) return intersect(scene_->cones[d.shape], ray, range);
+        if (d.kind == ShapeKind::plane) return intersect(scene_->planes[d.shape], ray, range);
+    }
+    return intersect_part(*scene_, scene_->objects[p.object], p.part, ray, range);
+}
+
 void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range, Candidate& best) const {
     // A little beyond the best root, so that one at equal t is seen too; the rule for ties then decides.
-    if (best.primitive != kNone) range.max = std::nextafter(best.root.t, kInfinity);
-    const Primitive p = primitives_[primitive];
-    const auto root = intersect_part(*scene_, scene_->objects[p.object], p.part, ray, range);
+    if (best.primitive != kNone)
+        range.max = best.root.t > 0 ? best.root.t * (1 + std::numeric_limits<Real>::epsilon())
+                                    : std::nextafter(best.root.t, kInfinity);
+    const auto root = intersect_one(primitive, ray, range);
     if (!root) return;
     if (best.primitive == kNone || root->t < best.root.t || (root->t == best.root.t && primitive < best.primitive))
         best = {*root, primitive};
 }
 
 bool PrimitiveTester::blocks(std::uint32_t primitive, const Ray& ray, Interval range) const {
-    const Primitive p = primitives_[primitive];
-    const Object& object = scene_->objects[p.object];
-    return !object.no_shadow && intersect_part(*scene_, object, p.part, ray, range).has_value();
+    return dispatch_[primitive].casts && intersect_one(primitive, ray, range).has_value();
 }
 
 std::optional<Hit> PrimitiveTester::complete(const Ray& ray, const Candidate& best) const {
