@@ -95,7 +95,7 @@ enum class Partition { automatic, none, grid, octree, bvh };
 std::optional<Partition> partition_named(std::string_view name);
 
 /// Up to this many primitives asking all is fastest (measured: NOTES.md).
-inline constexpr std::size_t kCrossover = 12;
+inline constexpr std::size_t kCrossover = 1;
 
 /// What `automatic` stands for in this scene: none below the measured crossover (NOTES.md).
 Partition choose_partition(const Scene& scene);
