@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <future>
@@ -26,13 +27,14 @@ constexpr int kWidth = 8;
 
 // ---- Boxes in float -------------------------------------------------------------------------------------------------
 
+// One unit in the last place and more, without a call of nextafter: this is done for every ray.
 float below(Real v) {
     const auto f = static_cast<float>(v);
-    return std::nextafter(f, -kMaxFloat);
+    return f - (std::abs(f) * 0x1p-23f + std::numeric_limits<float>::denorm_min());
 }
 float above(Real v) {
     const auto f = static_cast<float>(v);
-    return std::nextafter(f, kMaxFloat);
+    return f + (std::abs(f) * 0x1p-23f + std::numeric_limits<float>::denorm_min());
 }
 
 struct FloatBox {
@@ -74,7 +76,7 @@ struct alignas(64) Node {
 // ---- Build: binned surface area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
 // 2007), binary first, then collapsed to eight children (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008) ---------
 
-constexpr std::uint32_t kBins = 16, kMostInLeaf = 4;
+constexpr std::uint32_t kBins = 16, kMostInLeaf = 2;
 constexpr std::uint32_t kParallelFrom = 8192;  ///< below, a thread costs more than it saves
 
 struct BinaryNode {
@@ -288,15 +290,27 @@ public:
     }
 
 private:
+    struct LastOccluder {
+        std::uint64_t of = 0;  ///< whose: an address could be a later structure's
+        std::uint32_t primitive = 0;
+    };
+
+    static std::uint64_t next_number() {
+        static std::atomic<std::uint64_t> last{0};
+        return ++last;
+    }
+
+    /// Still to be looked at: a node (count 0) or the primitives of a leaf.
     struct Open {
-        std::uint32_t node;
+        std::uint32_t child;
+        std::uint32_t count;
         float enters;
     };
 
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
         Candidate best;
         for (const std::uint32_t i : unbounded_) tester_.keep_nearer(i, ray, range, best);
-        walk(ray, range, best, [&](std::uint32_t primitive, BoxRay& box_ray, float& far) {
+        walk<true>(ray, range, best, [&](std::uint32_t primitive, BoxRay& box_ray, float& far) {
             const std::uint32_t before = best.primitive;
             tester_.keep_nearer(primitive, ray, range, best);
             if (best.primitive != before) {
@@ -310,13 +324,20 @@ private:
 
     bool find_occluder(const Ray& ray, Interval range) const override {
         if (!(range.min < range.max)) return false;
-        for (const std::uint32_t i : unbounded_)
-            if (tester_.blocks(i, ray, range)) return true;
-        return walk(ray, range, {}, [&](std::uint32_t primitive, BoxRay&, float&) { return tester_.blocks(primitive, ray, range); });
+        // Neighbouring points tend to lie in the same shadow: who blocked last is asked first.
+        thread_local LastOccluder last;
+        if (last.of == number_ && tester_.blocks(last.primitive, ray, range)) return true;
+        const bool blocked = walk<false>(ray, range, {}, [&](std::uint32_t primitive, BoxRay&, float&) {
+            if (!tester_.blocks(primitive, ray, range)) return false;
+            last = {number_, primitive};
+            return true;
+        });
+        return blocked || std::any_of(unbounded_.begin(), unbounded_.end(),
+                                      [&](std::uint32_t i) { return tester_.blocks(i, ray, range); });
     }
 
-    /// Asks the primitives whose boxes the ray meets, near boxes first, until ask(...) says enough.
-    template <class Ask>
+    /// Asks the primitives whose boxes the ray meets until ask(...) says enough; near boxes first, when sorted.
+    template <bool sorted, class Ask>
     bool walk(const Ray& ray, Interval range, const Candidate& best, Ask ask) const {
         if (nodes_.empty()) return false;
         if (range.min < 0) return ask_all(ray, range, ask);
@@ -328,25 +349,22 @@ private:
         }
         Open stack[kStackSize];
         int size = 0;
-        stack[size++] = {0, 0};
+        stack[size++] = {0, 0, 0};
         while (size > 0) {
             const Open open = stack[--size];
             if (open.enters > far) continue;
-            const Node& node = nodes_[open.node];
+            for (std::uint32_t k = 0; k < open.count; ++k)
+                if (ask(order_[open.child + k], box_ray, far)) return true;
+            if (open.count > 0) continue;
+            const Node& node = nodes_[open.child];
             alignas(32) float enters[kWidth];
-            unsigned mask = box_ray.meets(node, enters);
-            const int first = size;
-            while (mask != 0) {
+            [[maybe_unused]] const int first = size;
+            for (unsigned mask = box_ray.meets(node, enters); mask != 0; mask &= mask - 1) {
                 const int i = std::countr_zero(mask);
-                mask &= mask - 1;
-                if (node.count[i] > 0) {
-                    for (std::uint32_t k = 0; k < node.count[i]; ++k)
-                        if (ask(order_[node.child[i] + k], box_ray, far)) return true;
-                } else {
-                    int place = size++;  // sorted in: the nearest ends on top
+                int place = size++;
+                if constexpr (sorted)  // the nearest ends on top
                     for (; place > first && stack[place - 1].enters < enters[i]; --place) stack[place] = stack[place - 1];
-                    stack[place] = {node.child[i], enters[i]};
-                }
+                stack[place] = {node.child[i], node.count[i], enters[i]};
             }
         }
         return false;
@@ -365,6 +383,7 @@ private:
     static constexpr int kStackSize = 8 * 80;  ///< splits stop being uneven at depth 64; then halves of 2^32 items
 
     PrimitiveTester tester_;
+    const std::uint64_t number_ = next_number();
     std::vector<std::uint32_t> unbounded_;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;  ///< primitives, leaf by leaf
