@@ -97,6 +97,11 @@ Ray HardRays::ray() {
     return odd;
 }
 
+Ray HardRays::through_the_box() {
+    const Vec3 from = in_box();
+    return {from, in_box() - from};
+}
+
 HardRays::Query HardRays::next() {
     Query query{ray(), {0, kInfinity}};
     while (!is_ray(query.ray)) query.ray = ray();

@@ -22,6 +22,8 @@ public:
         Interval range;
     };
     Query next();
+    /// An ordinary one: from one point of the box around all bounded primitives towards another.
+    Ray through_the_box();
 
 private:
     Real unit() { return static_cast<Real>(static_cast<double>(bits_() >> 11) * 0x1p-53); }

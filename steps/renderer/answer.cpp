@@ -107,6 +107,7 @@ const Answerers& answerers() {
             {"radiance", [](const Stage& s, Words& w) { return whole_ray(s, w); }},
         };
         questions::add_recursion(all);
+        questions::add_partitioning(all);
         return all;
     }();
     return table;

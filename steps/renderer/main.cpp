@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/unfinished.h"
 #include "renderer/answer.h"
+#include "renderer/cost_map.h"
 #include "renderer/needs.h"
 #include "renderer/picture_file.h"
 #include "renderer/render.h"
@@ -22,10 +23,10 @@ namespace rays {
 namespace {
 
 struct Arguments {
-    std::string scene, output, stats, pixel, partition = "auto";
+    std::string scene, output, stats, pixel, cost_map, partition = "auto";
     RenderOptions options;
     std::vector<std::string> without;
-    bool needs = false, json = false, answer = false, everything = false;
+    bool needs = false, json = false, visited = false, answer = false, everything = false;
 };
 
 struct Seconds {
@@ -128,13 +129,21 @@ int show_needs(const Arguments& a) {
     return kSuccess;
 }
 
+int map_costs(const Arguments& a) {
+    write_cost_map(cost_map(stage(a), a.options), a.cost_map);
+    list_unfinished();
+    return kSuccess;
+}
+
 int explain_pixel(const Arguments& a) {
     int x = 0, y = 0;
     char rest = 0;
     if (std::sscanf(a.pixel.c_str(), "%d,%d%c", &x, &y, &rest) != 2 || x < 0 || y < 0 || x >= a.options.raster.width || y >= a.options.raster.height)
         throw InputError(fmt::format("--explain {}: need X,Y within {} x {}", a.pixel, a.options.raster.width, a.options.raster.height));
-    const QueryLog log = explain(stage(a), a.options, x, y);
-    std::cout << (a.json ? log.to_json() : log.to_text());
+    const Scene scene = stage(a);
+    const QueryLog log = explain(scene, a.options, x, y);
+    if (a.visited) std::cout << visit_to_json(visit_of(scene, a.options, x, y)) << '\n';
+    else std::cout << (a.json ? log.to_json() : log.to_text());
     list_unfinished();
     return kSuccess;
 }
@@ -149,6 +158,7 @@ int run(Arguments& a) {
     check(a);
     if (a.needs) return show_needs(a);
     if (!a.pixel.empty()) return explain_pixel(a);
+    if (!a.cost_map.empty()) return map_costs(a);
     return render_picture(a);
 }
 
@@ -166,6 +176,8 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_flag("--everything", a.everything, "compose also what the scene does not need; the picture stays the same");
     app.add_flag("--needs", a.needs, "say what the scene needs and what is left out");
     app.add_option("--explain", a.pixel, "X,Y: the rays of a pixel");
+    app.add_flag("--visited", a.visited, "with --explain: the cells or leaves that the pixel's camera ray visits, as JSON");
+    app.add_option("--cost-map", a.cost_map, "an .exr with the channels tests and nodes: what every pixel costs with this --partition");
     app.add_flag("--json", a.json, "--needs and --explain in JSON");
     app.add_flag("--answer", a.answer, "answer the grader's questions on standard input");
 }

@@ -78,5 +78,7 @@ using Answerers = std::map<std::string, Answerer, std::less<>>;
 
 /// The queries of step 3.
 void add_recursion(Answerers& answerers);
+/// The queries of step 4.
+void add_partitioning(Answerers& answerers);
 
 }  // namespace rays::questions
