@@ -100,6 +100,7 @@ constexpr int kMostDeep = 20;
 /// the growth on its way, and the shares add up to one entry a primitive, so there are at most kMostGrowth of them.
 /// Without this rule a thousand nested spheres fill the memory.
 constexpr Real kMostGrowth = 12;
+constexpr Real kNoBurden = 65536;                ///< as many entries are allowed to every scene
 constexpr int kShared = 2;                       ///< down to here one thread splits; the nodes there are shared out
 constexpr std::size_t kWorthSharing = 4096;
 
@@ -152,7 +153,8 @@ private:
 class Builder {
 public:
     Builder(const PrimitiveTester& tester, const Contents& contents)
-        : contents_(contents), surfaces_(tester, contents.slack) {}
+        : contents_(contents), surfaces_(tester, contents.slack),
+          most_growth_(std::max(kMostGrowth, kNoBurden / static_cast<Real>(contents.inside.size()))) {}
 
     Tree build() {
         Tree tree;
@@ -200,7 +202,7 @@ private:
         std::size_t entries = 0;
         for (const Job& child : children) entries += child.items.size();
         const Real growth = job.growth * static_cast<Real>(entries) / static_cast<Real>(job.items.size());
-        if (growth > kMostGrowth) return make_leaf(tree, job);
+        if (growth > most_growth_) return make_leaf(tree, job);
         const auto family = static_cast<std::uint32_t>(tree.families.size());
         tree.families.emplace_back();
         node_at(tree, job.place) = {family, Node::kInner};
@@ -249,6 +251,7 @@ private:
 
     const Contents& contents_;
     SurfaceTest surfaces_;
+    Real most_growth_;
 };
 
 // ---- Walk -----------------------------------------------------------------------------------------------------------
@@ -309,13 +312,15 @@ private:
         std::array<Open, kStack> stack;
         std::size_t size = 0;
         stack[size++] = {tree_.root, seen.root};
+        Mailbox mailbox;
+        const auto ask_once = [&](std::uint32_t i, Real& to) { return !mailbox.was_asked(i) && ask(i, to); };
         while (size > 0) {
             const Open open = stack[--size];
             const Real enter = std::max(range.min, open.slabs.enter());
             if (!(enter <= far)) continue;
             if constexpr (kWatched) watch(open, ray);
             if (open.node.is_leaf()) {
-                if (ask_all_of(open.node, far, ask)) return true;
+                if (ask_all_of(open.node, far, ask_once)) return true;
                 continue;
             }
             std::array<Octant, 4> octants;
