@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include "renderer/needs.h"
 #include "renderer/picture_file.h"
 #include "renderer/render.h"
+#include "renderer/seen.h"
 #include "scene_reader/scene_reader.h"
 
 namespace rays {
@@ -26,7 +28,8 @@ struct Arguments {
     std::string scene, output, stats, pixel, cost_map, partition = "auto";
     RenderOptions options;
     std::vector<std::string> without;
-    bool needs = false, json = false, visited = false, answer = false, everything = false;
+    int max_trace_level = 0;
+    bool needs = false, seen = false, json = false, visited = false, answer = false, everything = false;
 };
 
 struct Seconds {
@@ -54,6 +57,8 @@ void check(Arguments& a) {
     const auto partition = partition_named(a.partition);
     if (!partition) throw InputError(fmt::format("--partition {}: need auto, none, grid, octree or bvh", a.partition));
     a.options.partition = *partition;
+    if (a.max_trace_level < 0 || a.max_trace_level > 256)
+        throw InputError(fmt::format("--max-trace-level {}: need 1 to 256, or 0 for the scene's own", a.max_trace_level));
     if (a.options.threads < 0 || a.options.threads > 1024)
         throw InputError(fmt::format("--threads {}: need 0 (one a core) to 1024", a.options.threads));
 }
@@ -63,6 +68,7 @@ Scene read(const Arguments& a) {
     options.raster = a.options.raster;
     Scene scene = read_scene(a.scene, options);
     for (const std::string& effect : a.without) remove_effect(scene, effect);
+    if (a.max_trace_level > 0) scene.settings.max_trace_level = std::min(scene.settings.max_trace_level, a.max_trace_level);
     return scene;
 }
 
@@ -129,6 +135,13 @@ int show_needs(const Arguments& a) {
     return kSuccess;
 }
 
+int count_seen(const Arguments& a) {
+    const Scene scene = stage(a);
+    std::cout << seen_to_json(shapes_seen(scene, a.options));
+    list_unfinished();
+    return kSuccess;
+}
+
 int map_costs(const Arguments& a) {
     write_cost_map(cost_map(stage(a), a.options), a.cost_map);
     list_unfinished();
@@ -157,6 +170,7 @@ int run(Arguments& a) {
     if (a.scene.empty()) throw InputError("which scene? Give a .pov file, or --help");
     check(a);
     if (a.needs) return show_needs(a);
+    if (a.seen) return count_seen(a);
     if (!a.pixel.empty()) return explain_pixel(a);
     if (!a.cost_map.empty()) return map_costs(a);
     return render_picture(a);
@@ -172,9 +186,11 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("--threads", a.options.threads, "0: one a core")->capture_default_str();
     app.add_option("--partition", a.partition, "auto, none, grid, octree or bvh; the picture is the same")->capture_default_str();
     app.add_option("--without", a.without, "leave an effect out (see --needs); may be repeated")->allow_extra_args(false);
+    app.add_option("--max-trace-level", a.max_trace_level, "at most so many levels of rays, the camera's included; 0: as the scene says");
     app.add_option("--stats", a.stats, "write times and unfinished tasks to this file, as JSON");
     app.add_flag("--everything", a.everything, "compose also what the scene does not need; the picture stays the same");
     app.add_flag("--needs", a.needs, "say what the scene needs and what is left out");
+    app.add_flag("--seen", a.seen, "count for each kind of shape the pixels whose centre sees it first, as JSON");
     app.add_option("--explain", a.pixel, "X,Y: the rays of a pixel");
     app.add_flag("--visited", a.visited, "with --explain: the cells or leaves that the pixel's camera ray visits, as JSON");
     app.add_option("--cost-map", a.cost_map, "an .exr with the channels tests and nodes: what every pixel costs with this --partition");
