@@ -33,7 +33,8 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Vec3& to_viewer) {
     const Color color = pigment_at(scene, material.pigment, hit.point);
     surface.color = color.rgb;
     surface.opacity = 1 - color.filter - color.transmit;
-    surface.clear = color.filter * color.rgb + Radiance(color.transmit);
+    // The fourth lane of an RGB scene stays empty: weights look at the largest lane.
+    surface.clear = color.filter * color.rgb + Radiance(color.transmit, color.transmit, color.transmit);
     surface.finish = &material.finish;
     return surface;
 }
