@@ -15,7 +15,8 @@ plane { y, -1.6 pigment { checker rgb <0.9, 0.85, 0.7>, rgb <0.4, 0.25, 0.2> } f
         #while (I < 9)
             #local Around = (I < 6 ? 60*I : 120*(I - 6) + 30);
             #local Down = (I < 6 ? 90 : 35);
-            union { Flake(Radius/3, Generation - 1) translate 4/3*Radius*y rotate Down*x rotate Around*y }
+            #if (Generation = 1) sphere { 0, Radius/3 texture { Shiny } #else union { Flake(Radius/3, Generation - 1) #end
+                translate 4/3*Radius*y rotate Down*x rotate Around*y }
             #local I = I + 1;
         #end
     #end
