@@ -78,7 +78,7 @@ Sweep many_bounces(Dice dice) {
     return swept(sweep, {1, 3, 10, 50, 100, 300, 1e3, 1e4, 1e5, 1e6}, [&](Notebook& notes, double bounces) {
         for (int i = 0; i < 4; ++i) {
             std::string mirrors;
-            for (int k = 0; k < 5; ++k) mirrors += " " + numbers(dice.unit());
+            for (int k = 0; k < 5; ++k) mirrors += fmt::format(" {}", numbers(dice.unit()));
             notes.ask(fmt::format("bounce {} {} 5{}", numbers(dice.unit()), bounces, mirrors), "still of unit length",
                       small(
                           3, [](const auto& d) { return std::abs(glm::length(vector_of(d)) - 1); }, kUnit, "length 1"));

@@ -126,6 +126,22 @@ std::vector<Question> reflections(std::uint64_t seed) {
             V(std::pow(sky.x, 1 / exponent), std::pow(sky.y, 1 / exponent), std::pow(sky.z, 1 / exponent)), 0,
             "the exponent is applied to what the ray brings, before the reflectivity");
     }
+    for (int i = 0; i < 3; ++i) {
+        // A mirror on the ground of a pool: up again, and out of the water by Snell's law.
+        const double n = single(dice.round_between(1.2, 1.8)), inner = dice.between(0.1, 0.9) * critical_angle(1 / n);
+        const double outer = angle_behind(inner, 1 / n);
+        const V down(std::sin(inner), 0, std::cos(inner)), exit(2 * std::tan(inner), 0, 0), glow = dice.color(),
+                                                                                            share = dice.color();
+        notes.scene(
+            world() +
+            fmt::format(
+                "plane {{ -z, 0 pigment {{ rgbt 1 }} finish {{ ambient 0 diffuse 0 }} interior {{ ior {} }} }}\n", n) +
+            "plane { -z, -2 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 1 } } }\n" +
+            sphere(exit + 4.0 * V(std::sin(outer), 0, -std::cos(outer)), 0.1, "rgb 1",
+                   fmt::format("ambient 0 diffuse 0 emission {}", rgb(glow))));
+        ask(on_its_way(V(0, 0, 2) - down, down, 0, 1, "1 0"), share, glow, 0,
+            "the mirror ray is in the media of the ray that came");
+    }
     return notes.take();
 }
 
@@ -138,8 +154,7 @@ public:
     void bends_into_water() {
         turn_ = dice_.between(0, 6);
         const double n = single(dice_.round_between(1.2, 2.2)), angle = dice_.between(0.1, 1.3);
-        const V in = at(angle), inner = at(angle_behind(angle, n)), glow = dice_.color(),
-                tint = dice_.color();
+        const V in = at(angle), inner = at(angle_behind(angle, n)), glow = dice_.color(), tint = dice_.color();
         notes_.scene(world() + pool(n, "") + lamp(4.0 * inner, glow));
         ask(on_its_way(-3.0 * in, in, 0, 1), tint, tint * glow, 0, false, "bent by Snell's law into the glass, tinted");
     }
@@ -147,8 +162,7 @@ public:
         turn_ = dice_.between(0, 6);
         const double n = single(dice_.round_between(1.2, 2.2)),
                      angle = dice_.between(0.1, 0.95) * critical_angle(1 / n);
-        const V in = -at(angle), out = -at(angle_behind(angle, 1 / n)), glow = dice_.color(),
-                tint = dice_.color();
+        const V in = -at(angle), out = -at(angle_behind(angle, 1 / n)), glow = dice_.color(), tint = dice_.color();
         notes_.scene(world() + pool(n, "") + lamp(4.0 * out, glow));
         ask(on_its_way(-3.0 * in, in, 0, 1, "1 0"), tint, tint * glow, 0, false,
             "bent by Snell's law out of the glass");
