@@ -10,6 +10,8 @@ std::vector<Question> questions_of(int step, std::uint64_t seed) {
             return questions_2_phong(seed);
         case 3:
             return questions_3_recursion(seed);
+        case 4:
+            return questions_4_partitioning(seed);
         default:
             return {};
     }
@@ -23,6 +25,8 @@ std::vector<Sweep> sweeps_of(int step, std::uint64_t seed) {
             return sweeps_2_phong(seed);
         case 3:
             return sweeps_3_recursion(seed);
+        case 4:
+            return sweeps_4_partitioning(seed);
         default:
             return {};
     }
