@@ -1,5 +1,6 @@
 // rays-grader: grades a submission, and grades the grader with mutants.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -25,10 +26,12 @@ struct Arguments {
 
 int status_of(const Results& results) {
     if (!results.infrastructure_error.empty()) return kInfrastructureError;
+    const auto all_passed = [](const std::vector<Check>& checks) {
+        return std::all_of(checks.begin(), checks.end(), [](const Check& c) { return c.verdict == Verdict::pass; });
+    };
     for (const StepResult& step : results.steps)
-        for (const Check& check : step.checks)
-            if (check.verdict != Verdict::pass) return kCheckFailed;
-    return kSuccess;
+        if (!all_passed(step.checks)) return kCheckFailed;
+    return results.handed_in && !all_passed(results.handed_in->checks) ? kCheckFailed : kSuccess;
 }
 
 int run_grade(const CLI::App& command, Arguments& a) {
@@ -54,7 +57,7 @@ int run(int argc, char** argv) {
     auto* grade = app.add_subcommand("grade", "grade the working copy, a submission, or the solutions");
     grade->add_option("step", a.grade.steps, "numbers of steps; none: all");
     grade->add_option("--from", a.grade.from, "student or solution")->capture_default_str();
-    grade->add_option("--submission", a.submission, "a folder with the student's files, as in steps/ or flat");
+    grade->add_option("--submission", a.submission, "a folder (or .tar.gz, .zip) with the student's files, as in steps/ or flat");
     grade->add_option("--out", a.out, "folder for results.json, images/ and index.html; default report/out");
     grade->add_option("--seed", a.seed, "of questions and fresh scenes; default: a new one for every run");
     grade->add_flag("--json", a.json, "print results.json instead of the summary");
