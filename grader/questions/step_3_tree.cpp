@@ -359,6 +359,27 @@ std::vector<Question> trees(std::uint64_t seed) {
         slab_sees(numbers({0, 0, 2}) + " " + numbers(in), {0, 1, 0},
                   "total reflection: the mirror ray is traced once, not twice");
     }
+    for (int i = 0; i < 2; ++i) {
+        // A constant reflection does not know of total reflection: only the one mirror ray may be added.
+        const double angle = dice.between(0.9, 1.4), share = dice.round_between(0.2, 0.6);
+        notes.scene(
+            world(10, 0) +
+            fmt::format("plane {{ -z, 0 pigment {{ rgbt 1 }} finish {{ ambient 0 diffuse 0 reflection {{ {} }} }} "
+                        "interior {{ ior 1.5 }} }}\n",
+                        share) +
+            plane("-z", -20, shining({0, 1, 0})));
+        slab_sees(numbers({0, 0, 2}) + " " + numbers({std::sin(angle), 0, -std::cos(angle)}), {0, 1, 0},
+                  "total reflection is all there is: no reflection of the finish is added");
+    }
+    for (int i = 0; i < 2; ++i) {
+        const double blue = dice.round_between(0.5, 1), adc = 0.2;
+        notes.scene(
+            world(5, adc) +
+            fmt::format("disc {{ 0, z, 5 pigment {{ rgbf <0, 0, {}, 1> }} finish {{ ambient 0 diffuse 0 }} }}\n",
+                        blue) +
+            plane("-z", -20, shining(V(1))));
+        slab_sees("0 0 -5 0 0 1", V(0), "the grey of blue is dark: below adc_bailout, though its weight is not");
+    }
     for (const double adc : {0.05, 0.3}) {
         notes.scene(world(5, adc) + "disc { 0, z, 5 pigment { rgbt 0.2 } finish { ambient 0 diffuse 0 } }\n" +
                     plane("-z", -20, shining(V(1))));

@@ -46,6 +46,13 @@ void QueryLog::pruned(const char* kind, const Ray& ray, float weight) {
     queries.push_back({kind, current, depth, ray, {}, std::nullopt, false, {}, weight, true});
 }
 
+double QueryLog::residual() const {
+    double sum = 0;
+    for (const Query& q : queries)
+        if (q.pruned) sum += q.weight;
+    return sum;
+}
+
 std::string QueryLog::to_text() const {
     std::string text;
     for (const Query& q : queries) {
@@ -57,6 +64,10 @@ std::string QueryLog::to_text() const {
                                 q.radiance[2], q.weight);
         text += '\n';
     }
+    if (const double missing = residual(); missing > 0)
+        text += fmt::format("residual: rays that were not traced weigh {:.4g}; the pixel lacks at most that, times the "
+                            "brightest radiance of the scene\n",
+                            missing);
     return text;
 }
 
@@ -71,7 +82,7 @@ std::string QueryLog::to_json() const {
             number(q.range.min), number(q.range.max), hit_json(q.hit), q.blocked, q.radiance[0], q.radiance[1],
             q.radiance[2], q.weight, q.pruned);
     }
-    return json + "\n]}\n";
+    return json + fmt::format("\n],\"residual\":{:.9g}}}\n", residual());
 }
 
 }  // namespace rays

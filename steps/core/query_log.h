@@ -34,9 +34,11 @@ struct QueryLog {
     /// A ray of this kind that is not traced.
     void pruned(const char* kind, const Ray& ray, float weight);
 
-    /// One line a ray, indented by depth.
+    /// The weights of all rays that were not traced: what the pixel may lack, in units of the brightest radiance.
+    double residual() const;
+    /// One line a ray, indented by depth; at the end the residual, if there is one.
     std::string to_text() const;
-    /// {"queries": [...]}, numbers with 17 digits.
+    /// {"queries": [...], "residual": ..}, numbers with 17 digits.
     std::string to_json() const;
 };
 

@@ -96,13 +96,15 @@ std::string quoted(const std::string& text) {
     return out + '"';
 }
 
-void write_stats(const std::string& path, const Seconds& seconds) {
+void write_stats(const std::string& path, const Seconds& seconds, const Residual& residual) {
     std::string unfinished;
     for (const auto& t : unfinished_tasks())
         unfinished += fmt::format("{}{{\"task\":{},\"file\":{},\"line\":{}}}", unfinished.empty() ? "" : ",", quoted(t.task), quoted(t.file), t.line);
     std::ofstream file(path);
-    file << fmt::format(R"({{"unfinished":[{}],"seconds":{{"read":{:.6f},"render":{:.6f},"write":{:.6f}}}}})", unfinished,
+    file << fmt::format(R"({{"unfinished":[{}],"seconds":{{"read":{:.6f},"render":{:.6f},"write":{:.6f}}},)", unfinished,
                         seconds.read, seconds.render, seconds.write)
+         << fmt::format(R"("residual":{{"mean":{:.9g},"max":{:.9g},"x":{},"y":{}}}}})", residual.mean, residual.max,
+                        residual.x, residual.y)
          << '\n';
     if (!file.flush()) throw InputError(path + ": cannot write the statistics; check that the folder exists and has room");
 }
@@ -119,11 +121,12 @@ int render_picture(Arguments& a) {
     const Scene scene = stage(a);
     seconds.read = watch.lap();
     if (isatty(STDERR_FILENO)) a.options.progress = show_progress;
-    const Film film = render(scene, a.options);
+    Residual residual;
+    const Film film = render(scene, a.options, &residual);
     seconds.render = watch.lap();
     write_picture(film, a.output);
     seconds.write = watch.lap();
-    if (!a.stats.empty()) write_stats(a.stats, seconds);
+    if (!a.stats.empty()) write_stats(a.stats, seconds, residual);
     for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
     list_unfinished();
     return kSuccess;

@@ -50,6 +50,34 @@ Radiance render_pixel(World& world, const CameraMedia& media, const RenderOption
     return take_unfinished_task() ? striped(sum, x, y) : sum;
 }
 
+/// The residuals of a picture, row by row: their sum is the same for any number of threads.
+class Residuals {
+public:
+    explicit Residuals(int rows) : rows_(static_cast<std::size_t>(rows)) {}
+
+    void add(int x, int y, double pruned) {
+        Row& row = rows_[static_cast<std::size_t>(y)];
+        row.sum += pruned;
+        if (pruned > row.max) row.max = pruned, row.x = x;
+    }
+    Residual over(Raster raster) const {
+        Residual all;
+        for (std::size_t y = 0; y < rows_.size(); ++y) {
+            all.mean += rows_[y].sum;
+            if (rows_[y].max > all.max) all = {all.mean, rows_[y].max, rows_[y].x, static_cast<int>(y)};
+        }
+        all.mean /= double(raster.width) * raster.height;
+        return all;
+    }
+
+private:
+    struct Row {
+        double sum = 0, max = 0;
+        int x = 0;
+    };
+    std::vector<Row> rows_;
+};
+
 }  // namespace
 
 void prepare(Scene& scene) {
@@ -68,17 +96,21 @@ std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition part
     return structure;
 }
 
-Film render(const Scene& scene, const RenderOptions& options) {
+Film render(const Scene& scene, const RenderOptions& options, Residual* residual) {
     Film film(options.raster);
     const auto intersector = make_intersector(scene, options.partition);
     const World prototype = make_world(scene, *intersector);
     const CameraMedia media(prototype);
+    Residuals residuals(options.raster.height);
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
         World world = prototype;
         for (int y = next_row++; y < options.raster.height; y = next_row++) {
-            for (int x = 0; x < options.raster.width; ++x)
+            for (int x = 0; x < options.raster.width; ++x) {
+                world.pruned = 0;
                 film.at(x, y) = render_pixel(world, media, options, x, y);
+                residuals.add(x, y, world.pruned / options.samples);
+            }
             if (reports && options.progress) options.progress(double(y + 1) / options.raster.height);
         }
     };
@@ -87,6 +119,7 @@ Film render(const Scene& scene, const RenderOptions& options) {
     for (int i = 1; i < std::min(wanted, options.raster.height); ++i) helpers.emplace_back(work, false);
     work(true);
     helpers.clear();
+    if (residual) *residual = residuals.over(options.raster);
     return film;
 }
 

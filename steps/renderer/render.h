@@ -29,8 +29,14 @@ void prepare(Scene& scene);
 /// What finds hits in a prepared scene. The scene must outlive it.
 std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition partition);
 
+/// What pruning leaves open: a pixel may lack at most its residual times the brightest radiance of the scene.
+struct Residual {
+    double mean = 0, max = 0;
+    int x = 0, y = 0;  ///< the pixel of the largest
+};
+
 /// The same bytes for any number of threads. Pixels that needed an unfinished task are striped.
-Film render(const Scene& scene, const RenderOptions& options);
+Film render(const Scene& scene, const RenderOptions& options, Residual* residual = nullptr);
 
 /// Every ray asked for one pixel (one sample at its centre).
 QueryLog explain(const Scene& scene, const RenderOptions& options, int column, int row);

@@ -77,6 +77,9 @@ TEST(QueryLog, ABranchKnowsItsKindItsWeightAndWhatItBrought) {
     EXPECT_EQ(refracted.weight, 0.001f);
     EXPECT_NE(log.to_text().find("\n  refracted ray from"), std::string::npos) << log.to_text();
     EXPECT_NE(log.to_text().find("not traced"), std::string::npos) << log.to_text();
+    EXPECT_EQ(log.residual(), 0.001f);
+    EXPECT_NE(log.to_text().find("residual: rays that were not traced weigh 0.001"), std::string::npos) << log.to_text();
+    EXPECT_NE(log.to_json().find("\"residual\":0.001"), std::string::npos) << log.to_json();
     EXPECT_NE(log.to_json().find("\"weight\":0.25,\"pruned\":false"), std::string::npos) << log.to_json();
 }
 
