@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "grader/grade.h"
 #include "grader/mutant_run.h"
+#include "grader/submission/hand_in.h"
 #include "grader/summary.h"
 #include "references/files.h"
 
@@ -44,6 +45,14 @@ int run_grade(const CLI::App& command, Arguments& a) {
     return status_of(results);
 }
 
+int run_hand_in(const Arguments& a) {
+    const Project project = find_project();
+    const std::filesystem::path out = a.out.empty() ? project.root / "submission.tar.gz" : std::filesystem::path(a.out);
+    const HandInResult result = hand_in(project, working_copy(project), out);
+    std::cout << hand_in_text(result, out);
+    return is_complete(result) ? kSuccess : kCheckFailed;
+}
+
 int run_summary(const Arguments& a) {
     const std::filesystem::path file = a.results;
     std::cout << summary(read_results(file), file.parent_path());
@@ -61,6 +70,8 @@ int run(int argc, char** argv) {
     grade->add_option("--out", a.out, "folder for results.json, images/ and index.html; default report/out");
     grade->add_option("--seed", a.seed, "of questions and fresh scenes; default: a new one for every run");
     grade->add_flag("--json", a.json, "print results.json instead of the summary");
+    auto* submission = app.add_subcommand("submission", "render, check and pack what is handed in");
+    submission->add_option("--out", a.out, "a folder, or a file that ends in .tar.gz; default submission.tar.gz");
     auto* mutants = app.add_subcommand("mutants", "grade every typical mistake of grader/mutants");
     mutants->add_option("step", a.mutants.steps, "numbers of steps; none: all");
     mutants->add_option("--only", a.mutants.only, "ids of mutants");
@@ -77,6 +88,7 @@ int run(int argc, char** argv) {
         return kBadInput;
     }
     if (grade->parsed()) return run_grade(*grade, a);
+    if (submission->parsed()) return run_hand_in(a);
     if (show->parsed()) return run_summary(a);
     return run_mutants(find_project(), a.mutants);
 }

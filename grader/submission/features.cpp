@@ -48,7 +48,8 @@ void FeatureProver::ask_effects() {
 void FeatureProver::ask_shapes() {
     const json answer = asked(sandbox_, solution_, files_, raster_, limits_, {"--seen"});
     const double pixels = double(raster_.width) * raster_.height;
-    for (const auto& [name, count] : answer.value("seen", json::object()).items())
+    const json seen = answer.value("seen", json::object());
+    for (const auto& [name, count] : seen.items())
         shapes_[name] = count.get<double>() / pixels;
     // The assignment's polygons: whatever is flat and has corners.
     for (const char* kind : {"triangles", "smooth_triangles", "meshes"})
