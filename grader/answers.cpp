@@ -133,7 +133,7 @@ Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const 
     if (run.surplus) {
         // No line can be trusted to be the answer to its question.
         replies.problem = fmt::format(
-            "more lines than the {} questions asked: does your code print to standard output?", questions.size());
+            "more lines than the {} questions asked: does your code write to descriptors that are not its own?", questions.size());
         return replies;
     }
     const bool whole = run.ended.ok() && run.answers.size() == questions.size();

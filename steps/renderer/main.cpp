@@ -15,6 +15,7 @@
 #include "renderer/answer.h"
 #include "renderer/needs.h"
 #include "renderer/picture_file.h"
+#include "renderer/private_output.h"
 #include "renderer/render.h"
 #include "scene_reader/scene_reader.h"
 
@@ -130,8 +131,9 @@ int explain_pixel(const Arguments& a) {
     char rest = 0;
     if (std::sscanf(a.pixel.c_str(), "%d,%d%c", &x, &y, &rest) != 2 || x < 0 || y < 0 || x >= a.options.raster.width || y >= a.options.raster.height)
         throw InputError(fmt::format("--explain {}: need X,Y within {} x {}", a.pixel, a.options.raster.width, a.options.raster.height));
+    PrivateOutput out;
     const QueryLog log = explain(stage(a), a.options.raster, x, y);
-    std::cout << (a.json ? log.to_json() : log.to_text());
+    out << (a.json ? log.to_json() : log.to_text());
     list_unfinished();
     return kSuccess;
 }
@@ -139,7 +141,8 @@ int explain_pixel(const Arguments& a) {
 int run(Arguments& a) {
     if (a.answer) {
         std::ios::sync_with_stdio(false);
-        answer_questions(std::cin, std::cout);
+        PrivateOutput out;
+        answer_questions(std::cin, out);
         return kSuccess;
     }
     if (a.scene.empty()) throw InputError("which scene? Give a .pov file, or --help");

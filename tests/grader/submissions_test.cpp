@@ -181,6 +181,30 @@ TEST_F(SubmissionsTest, AGradeCannotBePrinted) {
     EXPECT_EQ(to_json(r).find("\x1b"), std::string::npos);
 }
 
+// Who looks for a mistake prints. It costs nothing: answers and ray trees have a standard output of their own.
+TEST_F(SubmissionsTest, PrintingToStandardOutputCostsNothing) {
+    put(kFile, "#include <iostream>\n" +
+                   solution_with("    std::printf(\"here\\n\"); std::cout << \"there\" << std::endl; "
+                                 "[[maybe_unused]] const auto n = write(1, \"miss\\n\", 5);"));
+    const StepResult step = run().steps.at(0);
+    EXPECT_EQ(step.verdict, Verdict::pass);
+    EXPECT_NEAR(step.points, step.max, 1e-9);
+    for (const Check& c : step.checks)
+        if (c.mode == "isolated") {  // step 1 is not written here
+            EXPECT_EQ(c.verdict, Verdict::pass) << c.id << ": " << c.message;
+        }
+}
+
+// The same when the code is wrong, too: the tree that explains the worst pixel is still read.
+TEST_F(SubmissionsTest, PrintingDoesNotGarbleTheTreeOfAWrongPixel) {
+    put(kFile, solution_with("    std::printf(\"{\\n\"); std::fflush(stdout); Illumination dark; return dark;"));
+    const StepResult step = run().steps.at(0);
+    int trees = 0;
+    for (const Check& c : step.checks)
+        for (const Diagnosis& d : c.diagnosis) trees += d.text.find("the shadow ray is missing") != std::string::npos;
+    EXPECT_GT(trees, 5);
+}
+
 TEST_F(SubmissionsTest, AFloodOfTextIsStopped) {
     put(kFile, solution_with(
                    "    for (;;) std::puts(\"flood flood flood flood flood flood flood flood flood flood flood\");"));
