@@ -58,7 +58,8 @@ R.hasBoth = (image) => Boolean(image.embedded?.student && image.embedded?.refere
 
 /** One check a scene for the gallery: the one that went worst. */
 R.gallery = () => {
-    const order = {bad: 0, mixed: 1, idle: 2, good: 3};
+    // Among the others' steps a picture that waits hides no picture that is right by this step alone.
+    const order = {bad: 0, mixed: 1, good: 2, idle: 3};
     const scenes = new Map();
     for (const check of R.checks) {
         if (!check.image || check.fresh || !(check.image.embedded?.student || check.image.embedded?.reference)) continue;
