@@ -42,15 +42,6 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-std::string how_it_ended(const Ended& e) {
-    if (e.timed_out)
-        return fmt::format("the program ran out of time ({:.1f} s of processor, {:.1f} s in all)", e.cpu_s, e.wall_s);
-    if (e.flooded) return "the program wrote more text than allowed";
-    if (e.signal) return "the program crashed: " + signal_text(e.signal);
-    if (e.exit != 0) return fmt::format("the program ended with status {}: {}", e.exit, plain(e.err));
-    return {};
-}
-
 struct Run {
     Ended ended;
     std::vector<Answer> answers;  ///< those that came
@@ -139,10 +130,12 @@ Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const 
     const bool whole = run.ended.ok() && run.answers.size() == questions.size();
     std::copy(run.answers.begin(), run.answers.end(), replies.answers.begin());
     if (whole) return replies;
-    replies.problem = how_it_ended(run.ended);
-    if (replies.problem.empty())
+    if (run.ended.ok()) {
         replies.problem = fmt::format("{} answers to {} questions", run.answers.size(), questions.size());
-    if (run.ended.ok()) return replies;
+        return replies;
+    }
+    replies.problem = "the program " + how_it_ended(run.ended);
+    if (run.ended.exit > 0) replies.problem += ": " + plain(run.ended.err);
     ask_one_by_one(sandbox, program, questions, limits, replies);
     return replies;
 }

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

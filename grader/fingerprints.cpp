@@ -12,8 +12,8 @@
 #include "grader/answers.h"
 #include "grader/course.h"
 #include "grader/fresh_scenes.h"
-#include "references/files.h"
-#include "references/sha256.h"
+#include "support/files.h"
+#include "support/sha256.h"
 
 namespace rays::grader {
 namespace {

@@ -14,7 +14,7 @@
 #include "grader/grade_step.h"
 #include "grader/student_build.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/manifest.h"
 #ifdef RAYSTEPS_REPORT
 #include "report/report.h"

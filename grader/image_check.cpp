@@ -11,9 +11,9 @@
 #include "grader/ray_trees.h"
 #include "grader/shoot.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/manifest.h"
-#include "references/sha256.h"
+#include "support/sha256.h"
 
 namespace rays::grader {
 namespace {

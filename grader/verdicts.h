@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/process.h"
+#include "support/process.h"
 #include "grader/results.h"
 
 namespace rays::grader {
