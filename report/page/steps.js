@@ -36,7 +36,7 @@ R.rail = () => {
     const link = (href, ...content) => R.h("a", {href}, ...content);
     return [R.h("p", {class: "brand"}, R.svg("svg", {viewBox: "0 0 32 32", "aria-hidden": "true"}, R.svg("circle", {cx: 19, cy: 18, r: 8, class: "brand-ball"}), R.svg("path", {d: "M3 5l10 8.500M13 13.500l-9 13", class: "brand-ray"})), "Raysteps"),
         R.h("ul", {class: "rail-list"},
-            R.h("li", {}, link("#overview", R.h("span", {text: "Score"}))),
+            (R.steps.length > 0 || !R.hasSpeed) && R.h("li", {}, link("#overview", R.h("span", {text: "Score"}))),
             R.gallery().length > 0 && R.h("li", {}, link("#pictures", R.h("span", {text: "Pictures"}))),
             ...R.steps.map((step) => R.h("li", {}, link(`#${step.anchor}`, R.badge(step.verdict, {small: true}), R.h("span", {text: `${step.name} · ${step.title}`})),
                 R.h("ul", {class: "rail-tasks"}, ...step.tasks.map((task) => {
@@ -45,6 +45,7 @@ R.rail = () => {
                     return R.h("li", {"data-state": tone === "good" ? "pass" : "open"}, link(check ? `#${check.anchor}` : `#${step.anchor}`, R.badge(task.verdict, {small: true}),
                         R.h("span", {text: `${R.text(task.id)} ${R.text(task.title)}`})));
                 })))),
+            R.hasSpeed && R.h("li", {"data-state": "pass"}, link("#speed", R.h("span", {text: "Speed against accuracy"}))),
             R.h("li", {}, link("#machine", R.h("span", {text: "Machine and versions"})))),
         R.h("div", {class: "rail-tools"}, R.filterSwitch(), R.expandSwitch(), R.themeSwitch())];
 };
