@@ -17,6 +17,7 @@ constexpr double kEpsilon = 1e-10;
 
 void Interpreter::directive() {
     const Place place{scanner_.source(), scanner_.at() - 1};
+    spend(kWorkOfDirective);
     switch (const Word word = scanner_.directive_word(names_)) {
         case Word::declare_:
             return declare(false, place);
@@ -300,7 +301,7 @@ void Interpreter::include_directive(Place place) {
         fail(place,
              fmt::format("include file '{}' is neither in the scene's folder nor in POV-Ray's include folder", name));
     }
-    spend(1000);
+    spend(kWorkOfFileSearch);
     files_.push_back({scanner_.place(), blocks_.size()});
     scopes_.emplace_back();
     scanner_.move_to(source, source->begin());
