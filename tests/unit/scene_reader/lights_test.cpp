@@ -66,8 +66,9 @@ TEST(LightReader, TheLastOfShadowlessSpotlightAndCylinderCounts) {
         EXPECT_EQ(light.falloff_rad, same.falloff_rad) << words;
         EXPECT_EQ(light.tightness, same.tightness) << words;
         // Where a point light points does not matter.
-        if (light.parallel || light.kind != Light::Kind::point)
+        if (light.parallel || light.kind != Light::Kind::point) {
             EXPECT_TRUE(near(light.point_at, same.point_at)) << words;
+        }
     }
     // These are errors in POV-Ray, too: a shadowless light has no cone and no direction of its own.
     EXPECT_TRUE(contains(error_of("light_source { y, 1 spotlight shadowless radius 3 }"), "'radius' needs spotlight"));
