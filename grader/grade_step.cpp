@@ -85,13 +85,8 @@ std::vector<Check> run_all(const std::vector<CheckMaker>& makers, int workers) {
 
 Check not_built(const std::string& id, const std::string& task, const std::string& kind, double max,
                 const std::string& message) {
-    Check check;
-    check.id = id;
-    check.task = task;
-    check.kind = kind;
-    check.title = id;
+    Check check = new_check(id, task, kind, id, max);
     check.verdict = Verdict::build_error;
-    check.max = max;
     check.message = message;
     return check;
 }

@@ -64,12 +64,7 @@ Verdict verdict_of(const Tally& t, const Replies& replies) {
 double points_for(double share_right, double max) { return max * std::clamp(2 * share_right - 1, 0.0, 1.0); }
 
 Check unit_check(const Bench& bench, const Task& task, const std::vector<Question>& questions, double max) {
-    Check check;
-    check.id = task.id + ".unit";
-    check.task = task.id;
-    check.kind = "unit";
-    check.title = task.title + ": questions";
-    check.max = max;
+    Check check = new_check(task.id + ".unit", task.id, "unit", task.title + ": questions", max);
     std::vector<const Question*> asked;
     for (const Question& q : questions)
         if (q.task == task.id) asked.push_back(&q);
