@@ -57,8 +57,8 @@ R.scatter = (chart) => {
         at = Math.min(inOrder.length - 1, Math.max(0, at + step));
         read(inOrder[at]);
     });
-    const legend = R.h("ul", {class: "legend"}, ...new Map(points.map((p) => [p.series, R.h("li", {}, R.legendMark(p.role, p.series), p.name)])).values(),
-        chart.front === true && R.h("li", {}, R.h("i", {class: "front-swatch", "aria-hidden": "true"}), "front: nothing is both faster and more accurate"));
+    const legend = R.h("ul", {class: "legend"}, ...new Map(points.map((p) => [p.series, R.h("li", {}, R.legendMark(p.role, p.series), R.h("span", {text: p.name}))])).values(),
+        chart.front === true && R.h("li", {}, R.h("i", {class: "front-swatch", "aria-hidden": "true"}), R.h("span", {text: "front: nothing is both faster and more accurate"})));
     return R.h("figure", {class: "chart speed-chart"}, R.h("figcaption", {text: title}), R.text(chart.text) && R.h("p", {class: "says", text: R.text(chart.text)}), legend, holder, readout, R.scatterTable(points, xAxis, yAxis));
 };
 
@@ -97,7 +97,7 @@ R.scatterOptions = ({chart, points, range, width}) => {
     return {
         width, height: Math.max(260, Math.min(360, Math.round(width * 0.6))), legend: {show: false}, padding: [10, 12, 0, 0],
         cursor: {show: false}, scales: {x: {time: false, distr: 3, range: range.x}, y: {distr: 3, range: range.y}},
-        axes: [R.plotAxis(R.withUnit(R.object(chart.x)), true, 34), R.plotAxis("error", true, 58, range.zero)],
+        axes: [R.plotAxis(R.withUnit(R.object(chart.x)), true, 34), R.plotAxis(R.withUnit(R.object(chart.y)), true, 58, range.zero)],
         series: [{}, {show: false}], hooks: {draw: [paint]},
     };
 };

@@ -139,6 +139,21 @@ export const huge = () => {
     return finished(results);
 };
 
+/** What ./rays chart writes: a front, linked labels, a joined knob, an error of 0, ratios; and texts that are hostile. */
+export const charts = (text = (t) => t) => ({
+    schema: "raysteps-charts/1", machine: {cpu: "AMD EPYC 7B13", cores: 2, os: "Debian GNU/Linux 12 (bookworm)"}, versions: {raysteps: "0.1.0", povray: "3.7.0.10", compiler: "GNU 12.2.0"},
+    charts: [
+        {id: "1.patch", step: 1, kind: "scatter", title: text("A patch in several ways"), text: text("Few starts miss roots."), created: "2026-01-31T12:00:00Z", rounds: 11, front: true,
+            x: {label: "CPU time of a ray", unit: "ns", log: true}, y: {label: text("mean error"), unit: "sizes of the shape", log: true},
+            series: [{name: "certified", role: "solution", joined: false, points: [{x: 800, x_low: 790, x_high: 830, y: 0, label: "patch", settings: text("subdivision"), front: true}]},
+                {name: "float", role: "float", joined: false, points: [{x: 600, x_low: 590, x_high: 640, y: 7e-7, label: "patch", settings: "subdivision in float", front: true}]},
+                {name: text("Newton"), role: "naive", joined: true, points: [[1, 700, 0.069], [2, 2900, 8.6e-3], [3, 6500, 1e-9]].map(([n, x, y]) => ({x, x_low: x * 0.95, x_high: x * 1.1, y, label: "", settings: `${n} x ${n} starts`, front: false}))}]},
+        {id: "1.povray", step: 1, kind: "ratios", title: text("Pictures beside POV-Ray"), text: "Pairs in turns.", created: "2026-01-31T12:10:00Z", rounds: 11, front: false, x: {label: "POV-Ray's time / ours", unit: "", log: true},
+            series: [{name: "Raysteps", role: "solution", joined: false, points: [["one_sphere", 7.5], ["meshes", 0.5]].map(([label, x]) => ({x, x_low: x * 0.9, x_high: x * 1.1, label: text(label), settings: text("0.7 s and 0.1 s"), front: false}))}]},
+        {id: "2.empty", step: 2, kind: "scatter", title: "Nothing", text: "", created: "x", rounds: 1, front: true, x: {label: "t", unit: "s", log: true}, y: {label: "e", unit: "", log: true}, series: [{name: "none", role: "odd", points: [{x: null, y: 1}, null]}]},
+    ],
+});
+
 /** An EXR file that promises 10^9 x 10^9 pixels: its header alone, valid up to there. */
 const absurdExr = () => {
     const parts = [Buffer.from([0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0])];
@@ -174,6 +189,17 @@ export const writeFixtures = async (folder, makePictures) => {
         paths[name] = join(folder, `${name}.json`);
         writeFileSync(paths[name], JSON.stringify(make()));
     }
+    // Charts stand beside the result they belong to: folders of their own.
+    const withCharts = (name, result, text) => {
+        mkdirSync(join(folder, name));
+        writeFileSync(join(folder, name, "charts.json"), text);
+        paths[name] = join(folder, name, "results.json");
+        if (result) writeFileSync(paths[name], JSON.stringify(result));
+    };
+    withCharts("charted", finished({...base(), steps: [step(1, [check("1.3", "unit", "Sphere", "pass", {questions: questions("1.3", 0)})])]}), JSON.stringify(charts()));
+    withCharts("charts-only", null, JSON.stringify(charts()));
+    withCharts("hostile-charts", base(), JSON.stringify(charts((t) => HOSTILE + t)));
+    withCharts("broken-charts", base(), '{"schema":"raysteps-charts/1",');
     return paths;
 };
 

@@ -20,7 +20,7 @@ test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise
 });
 
 test("nothing loads from outside, nothing is logged", async () => {
-    for (const name of ["good", "wrong", "hostile", "huge"]) {
+    for (const name of ["good", "wrong", "hostile", "huge", "charted", "charts-only", "hostile-charts"]) {
         const {page, watch, close} = await open(name);
         await page.locator(".rail-tools .quiet").click();
         await page.waitForTimeout(300);
@@ -197,6 +197,77 @@ test("charts are drawn, read by pointer and by keyboard, and also stand as a tab
     assert.equal(await chart.locator("tbody tr").count(), 13);
     assert.ok(await chart.locator("td", {hasText: "failed"}).count() >= 4);
     await close();
+});
+
+/** How many pixels of a canvas have a colour of the style sheet. */
+const pixelsOf = (canvas, name) => canvas.evaluate((c, color) => {
+    const [r, g, b] = R.color(color).match(/[\d.]+/g).map(Number);
+    const data = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) count += data[i] === r && data[i + 1] === g && data[i + 2] === b && data[i + 3] === 255;
+    return count;
+}, name);
+
+test("speed against accuracy: points with settings, the front, ratios, tables; after the grades or alone", async () => {
+    for (const name of ["charted", "charts-only"]) {
+        const {page, close} = await open(name, {width: 1400});
+        const section = page.locator("#speed");
+        assert.match(await section.locator("#speed-title").textContent(), /^Speed against accuracy$/);
+        assert.equal(await page.locator("h1").count(), 1, "one main heading");
+        assert.equal(await page.locator(".rail a[href='#speed']").count(), 1);
+        assert.equal(await page.locator(".ring").count(), name === "charted" ? 1 : 0, "no score where nothing was graded");
+        const chart = section.locator(".speed-chart").first();
+        const canvas = chart.locator("canvas");
+        for (const role of ["solution", "float", "naive"]) assert.ok(await pixelsOf(canvas, `--series-${role}`) > 10, role);
+        const withFront = await colorsOf(canvas);
+        assert.ok(withFront > 20);
+        const plot = chart.locator(".plot");
+        await plot.focus();
+        await page.keyboard.press("ArrowRight");
+        assert.match(await chart.locator(".readout").textContent(), /float: subdivision in float.*600 ns \(590 to 640\).*on the front/);
+        for (let i = 0; i < 9; ++i) await page.keyboard.press("ArrowRight");
+        assert.match(await chart.locator(".readout .at").textContent(), /Newton: 3 x 3 starts$/);
+        // Under the pointer: the mark where the ring stands, after the keyboard has left it there.
+        const ring = await chart.locator(".point-ring").boundingBox();
+        await page.keyboard.press("ArrowLeft");
+        await page.mouse.move(ring.x + ring.width / 2, ring.y + ring.height / 2);
+        assert.match(await chart.locator(".readout .at").textContent(), /Newton: 3 x 3 starts$/);
+        await chart.locator("summary").click();
+        assert.equal(await chart.locator("tbody tr").count(), 5);
+        assert.match(await chart.locator("tbody tr").first().textContent(), /^certified: patch800790 to 8300yessubdivision$/);
+        const rows = section.locator(".ratios tbody tr");
+        assert.deepEqual(await rows.locator("th").allTextContents(), ["one sphere", "meshes"]);
+        assert.match(await rows.first().locator(".value").textContent(), /^7.5 \(6.75 to 8.25\)$/);
+        const dot = async (row) => { const box = await rows.nth(row).locator(".dot").boundingBox(); return box.x + box.width / 2; };
+        const one = await rows.first().locator(".one").boundingBox();
+        assert.ok(await dot(0) > one.x && await dot(1) < one.x, "above and below 1");
+        assert.match(await section.textContent(), /Nothing was measured/);
+        await close();
+    }
+});
+
+test("charts: hostile texts stay texts, a broken file is a notice, nothing overflows, axe finds nothing", async () => {
+    const hostile = await open("hostile-charts");
+    const seen = await hostile.page.evaluate(() => ({pwned: globalThis.pwned, images: document.querySelectorAll("img").length, text: document.querySelector("#speed").innerText}));
+    assert.equal(seen.pwned, undefined);
+    assert.equal(seen.images, 0);
+    assert.ok(seen.text.includes("</script><script>globalThis.pwned=1</script>"));
+    for (const width of [768, 320]) {
+        await hostile.page.setViewportSize({width, height: 800});
+        const [scroll, inner] = await hostile.page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        assert.ok(scroll <= inner, `at ${width}: ${scroll}`);
+    }
+    await hostile.close();
+    const broken = await open("broken-charts");
+    assert.match(await broken.page.locator("#speed .notice").textContent(), /charts\.json: not JSON; run '\.\/rays chart' again/);
+    await broken.close();
+    for (const colorScheme of ["light", "dark"]) {
+        const {page, close} = await open("charted", {colorScheme, bypassCSP: true});
+        await page.evaluate(axeSource);
+        const findings = await page.evaluate(async () => (await axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"]})).violations.map((v) => `${v.id}: ${v.nodes[0].html.slice(0, 200)} ${v.nodes[0].failureSummary}`));
+        assert.deepEqual(findings, [], colorScheme);
+        await close();
+    }
 });
 
 test("hostile texts stay texts", async () => {

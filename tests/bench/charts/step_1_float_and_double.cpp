@@ -35,7 +35,7 @@ Chart float_and_double(Laboratory& laboratory) {
             .text = "The ends of a line are the same code with both number types. Errors are distances from the true "
                     "surface, the rays' own numbers taken as exact; about half of the rays hit.",
             .x = kTimeOfRay,
-            .y = {"median error of the hit point", "sizes of the shape", true},
+            .y = {"median error", "sizes of the shape", true},
             .series = {median_errors("double", "solution", both.in_double),
                        median_errors("float", "float", both.in_float)}};
 }

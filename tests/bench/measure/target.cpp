@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 namespace rays::bench {
@@ -61,7 +62,7 @@ Accuracy judge(const Target& target, const Answers& answers) {
     }
     if (errors.empty()) return {1, 1, 1, 1};
     std::sort(errors.begin(), errors.end());
-    for (const double e : errors) result.mean += e / static_cast<double>(errors.size());
+    result.mean = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
     result.median = errors[errors.size() / 2];
     result.largest = errors.back();
     result.wrong /= static_cast<double>(answers.size());
