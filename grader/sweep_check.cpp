@@ -32,21 +32,34 @@ std::vector<const Question*> questions_of(const Sweep& sweep) {
     return questions;
 }
 
+// Over decades the worst answer counts. A linear axis holds yes-or-no questions, of which it shows the share of wrong
+// answers.
+double charted(const Sweep& sweep, const std::vector<double>& errors) {
+    double worst = 0, sum = 0;
+    for (const double e : errors) {
+        worst = std::isfinite(e) ? std::max(worst, e) : INFINITY;
+        if (!std::isfinite(worst)) return INFINITY;
+        sum += e;
+    }
+    if (sweep.log_y) return std::max(worst, kNoError);
+    return errors.empty() ? 0 : sum / static_cast<double>(errors.size());
+}
+
 // `answers` begins with the answers to this point's questions.
 void add_point(Line& line, const Sweep& sweep, const Sweep::Point& point, const Answer* answers) {
-    double worst = 0;
+    std::vector<double> errors;
     bool good = true;
     for (const Question& q : point.questions) {
         const Answer& answer = *answers++;
         const Judgement j = q.judge(answer);
-        worst = std::isfinite(j.error) ? std::max(worst, j.error) : INFINITY;
+        errors.push_back(j.error);
         if (!j.ok && good && in_range(sweep, point) && line.first_wrong.empty())
             line.first_wrong = fmt::format("first at {} = {:.3g}: expected {}, got {}", sweep.x_label, point.x,
                                            j.expected, plain(answer.text, 120));
         good = good && j.ok;
     }
-    const double shown = sweep.log_y ? std::max(worst, kNoError) : worst;
-    line.series.points.emplace_back(point.x, std::isfinite(worst) ? std::optional(shown) : std::nullopt);
+    const double shown = charted(sweep, errors);
+    line.series.points.emplace_back(point.x, std::isfinite(shown) ? std::optional(shown) : std::nullopt);
     if (!in_range(sweep, point)) return;
     ++line.counted;
     line.right += good;
@@ -79,12 +92,7 @@ Verdict verdict_of(const Line& line, const Replies& replies) {
 }
 
 Check empty_check(const Sweep& sweep, double max) {
-    Check check;
-    check.id = sweep.id;
-    check.task = sweep.task;
-    check.kind = "stability";
-    check.title = sweep.title;
-    check.max = max;
+    Check check = new_check(sweep.id, sweep.task, "stability", sweep.title, max);
     check.chart =
         Chart{sweep.title, sweep.x_label, sweep.y_label, sweep.log_x, sweep.log_y, sweep.pass_from, sweep.pass_to, {}};
     return check;
