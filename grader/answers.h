@@ -1,20 +1,14 @@
 // Asking a render program questions, and reading its answers as hostile text.
 #pragma once
 
+#include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "grader/questions.h"
 #include "grader/sandbox.h"
+#include "questions/exchange.h"
 
 namespace rays::grader {
-
-/// One line of a reply. "hit 1 2 3", "miss", "unfinished 1.3", "error ...", or numbers; anything else is an error.
-Answer parse_answer(std::string_view line);
-
-/// The question blocks for a render program's --answer: equal scenes in a row are sent once.
-std::string question_text(const std::vector<const Question*>& questions);
 
 struct Replies {
     std::vector<Answer> answers;  ///< one for each question; kind `missing` where none came
