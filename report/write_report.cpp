@@ -39,7 +39,8 @@ constexpr std::size_t kBytesBetween = 30'000;
 json read_object(const fs::path& file, const std::string& wanted, const std::string& how) {
     std::error_code error;
     const auto size = fs::file_size(file, error);
-    if (error) throw InputError(fmt::format("{}: cannot be read ({}); run '{}' first", file.string(), error.message(), how));
+    if (error)
+        throw InputError(fmt::format("{}: cannot be read ({}); run '{}' first", file.string(), error.message(), how));
     if (size > kMaxInput) throw InputError(file.string() + ": larger than 256 MB, so not what '" + how + "' writes");
     std::ifstream in(file, std::ios::binary);
     const auto shallow = [](int depth, json::parse_event_t, json&) { return depth <= kMaxDepth; };
@@ -67,9 +68,8 @@ json read_charts(const fs::path& file) {
 /// The results, with the charts that stand beside them as "measured". Charts alone make a page, too.
 json read_results(const fs::path& file) {
     const fs::path charts = file.parent_path() / "charts.json";
-    json results = !fs::exists(file) && fs::exists(charts)
-                       ? json{{"schema", "raysteps-results/1"}}
-                       : read_object(file, "raysteps-results/1", "./rays grade");
+    json results = !fs::exists(file) && fs::exists(charts) ? json{{"schema", "raysteps-results/1"}}
+                                                           : read_object(file, "raysteps-results/1", "./rays grade");
     results.erase("measured");
     if (fs::exists(charts)) results["measured"] = read_charts(charts);
     return results;

@@ -95,7 +95,7 @@ R.scatterOptions = ({chart, points, range, width}) => {
         ctx.restore();
     };
     return {
-        width, height: Math.max(260, Math.min(360, Math.round(width * 0.6))), legend: {show: false}, padding: [10, 12, 0, 0],
+        width, height: Math.max(290, Math.min(360, Math.round(width * 0.62))), legend: {show: false}, padding: [10, 12, 0, 0],
         cursor: {show: false}, scales: {x: {time: false, distr: 3, range: range.x}, y: {distr: 3, range: range.y}},
         axes: [R.plotAxis(R.withUnit(R.object(chart.x)), true, 34), R.plotAxis(R.withUnit(R.object(chart.y)), true, 58, range.zero)],
         series: [{}, {show: false}], hooks: {draw: [paint]},

@@ -10,7 +10,7 @@ using nlohmann::json;
 json axis(const Axis& a) { return {{"label", a.label}, {"unit", a.unit}, {"log", a.log}}; }
 
 json point(const Point& p, ChartKind kind) {
-    json result{{"x", p.x.median},   {"x_low", p.x.low},       {"x_high", p.x.high},
+    json result{{"x", p.x.median},  {"x_low", p.x.low},       {"x_high", p.x.high},
                 {"label", p.label}, {"settings", p.settings}, {"front", p.on_front}};
     if (kind == ChartKind::scatter) result["y"] = p.y;
     return result;
@@ -40,10 +40,11 @@ void mark_front(Chart& chart) {
 json to_json(const Chart& chart, const std::string& created, int rounds) {
     json all = json::array();
     for (const Series& s : chart.series) all.push_back(series(s, chart.kind));
-    json result{{"id", chart.id},       {"step", chart.step}, {"kind", chart.kind == ChartKind::scatter ? "scatter" : "ratios"},
-                {"title", chart.title}, {"text", chart.text}, {"created", created},
-                {"rounds", rounds},     {"x", axis(chart.x)}, {"front", chart.front},
-                {"series", all}};
+    json result{
+        {"id", chart.id},       {"step", chart.step}, {"kind", chart.kind == ChartKind::scatter ? "scatter" : "ratios"},
+        {"title", chart.title}, {"text", chart.text}, {"created", created},
+        {"rounds", rounds},     {"x", axis(chart.x)}, {"front", chart.front},
+        {"series", all}};
     if (chart.kind == ChartKind::scatter) result["y"] = axis(chart.y);
     return result;
 }
@@ -55,7 +56,8 @@ std::string as_text(const Chart& chart) {
             const std::string name = p.label.empty() ? p.settings : p.label;
             text += fmt::format("  {:<22} {:<52} {:9.4g} {} [{:.4g}, {:.4g}]", s.name, name, p.x.median, chart.x.unit,
                                 p.x.low, p.x.high);
-            if (chart.kind == ChartKind::scatter) text += fmt::format("  error {:.2g}{}", p.y, p.on_front ? "  front" : "");
+            if (chart.kind == ChartKind::scatter)
+                text += fmt::format("  error {:.2g}{}", p.y, p.on_front ? "  front" : "");
             text += "\n";
         }
     }

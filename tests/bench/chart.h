@@ -1,6 +1,7 @@
 // charts.json, the data of "Speed against accuracy" in the report. Schema: charts.schema.json.
 //
-//     {"schema": "raysteps-charts/1", "machine": {"cpu", "cores", "os"}, "versions": {"raysteps", "povray", "compiler"},
+//     {"schema": "raysteps-charts/1", "machine": {"cpu", "cores", "os"}, "versions": {"raysteps", "povray",
+//     "compiler"},
 //      "charts": [{"id": "1.sphere.near", "step": 1, "kind": "scatter" | "ratios", "title", "text": "what it shows",
 //        "created": "2026-01-31T12:00:00Z", "rounds": 11,
 //        "x": {"label", "unit", "log"}, "y": {"label", "unit", "log"}, "front": true,

@@ -27,7 +27,8 @@ Chart example() {
             .series = {{"exact", "solution", {{.x = {10, 9, 11}, .y = 0, .label = "a", .settings = "s"}}},
                        {"coarse",
                         "naive",
-                        {{.x = {1, 1, 1}, .y = 0.5, .label = "", .settings = "n = 1"}, {.x = {20, 19, 30}, .y = 0.1, .label = "", .settings = "n = 2"}},
+                        {{.x = {1, 1, 1}, .y = 0.5, .label = "", .settings = "n = 1"},
+                         {.x = {20, 19, 30}, .y = 0.1, .label = "", .settings = "n = 2"}},
                         true}}};
 }
 
@@ -51,7 +52,8 @@ TEST(Chart, FrontIsMarkedAcrossTheSeries) {
 TEST(Chart, FileFollowsItsSchema) {
     Chart ratios = example();
     ratios.kind = ChartKind::ratios;
-    const json file = charts_file({to_json(example(), "2026-01-31T12:00:00Z", 11), to_json(ratios, "2026-01-31T12:00:00Z", 1)}, "3.7");
+    const json file = charts_file(
+        {to_json(example(), "2026-01-31T12:00:00Z", 11), to_json(ratios, "2026-01-31T12:00:00Z", 1)}, "3.7");
     EXPECT_EQ(grader::schema_problems(file, schema()), std::vector<std::string>{});
     EXPECT_FALSE(file["machine"]["os"].get<std::string>().empty());
     EXPECT_EQ(file["charts"][0]["series"][0]["points"][0]["x_high"], 11);

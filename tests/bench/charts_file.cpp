@@ -29,7 +29,8 @@ json this_machine() {
 }  // namespace
 
 json charts_file(std::vector<json> charts, const std::string& povray) {
-    std::stable_sort(charts.begin(), charts.end(), [](const json& a, const json& b) { return a.at("step") < b.at("step"); });
+    std::stable_sort(charts.begin(), charts.end(),
+                     [](const json& a, const json& b) { return a.at("step") < b.at("step"); });
     return {{"schema", "raysteps-charts/1"},
             {"machine", this_machine()},
             {"versions", {{"raysteps", RAYSTEPS_VERSION}, {"povray", povray}, {"compiler", RAYSTEPS_COMPILER}}},
@@ -45,7 +46,8 @@ std::vector<json> kept_charts(const std::filesystem::path& file, const std::vect
     for (const json& chart : known.value("charts", json::array())) {
         if (!chart.is_object() || !chart.value("step", json()).is_number_integer()) continue;
         const int step = chart["step"];
-        if (std::find(measured_steps.begin(), measured_steps.end(), step) == measured_steps.end()) kept.push_back(chart);
+        if (std::find(measured_steps.begin(), measured_steps.end(), step) == measured_steps.end())
+            kept.push_back(chart);
     }
     return kept;
 }

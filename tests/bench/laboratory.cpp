@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "support/files.h"
 #include "references/povray.h"
+#include "support/files.h"
 #include "support/process.h"
 
 namespace rays::bench {

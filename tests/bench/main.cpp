@@ -10,9 +10,9 @@
 #include "charts/charts.h"
 #include "charts_file.h"
 #include "core/error.h"
-#include "support/files.h"
 #include "references/povray.h"
 #include "report/report.h"
+#include "support/files.h"
 
 namespace {
 
@@ -61,10 +61,12 @@ int main(int argc, char** argv) {
         ->required()
         ->check(CLI::ExistingDirectory);
     app.add_option("--scenes", settings.scenes, "folder of the scenes")->required()->check(CLI::ExistingDirectory);
-    app.add_option("--out", out, "folder for charts.json and index.html")->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app.add_option("--out", out, "folder for charts.json and index.html")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("--rounds", settings.rounds, "how often everything is measured; six give a 95 % interval")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--seconds", settings.seconds, "least time of one method in one round")->check(CLI::Range(0.001, 60.0));
+    app.add_option("--seconds", settings.seconds, "least time of one method in one round")
+        ->check(CLI::Range(0.001, 60.0));
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

@@ -1,8 +1,8 @@
 // Processor time of whole processes, from start to exit, compared in pairs.
 #pragma once
 
-#include "support/process.h"
 #include "statistics.h"
+#include "support/process.h"
 
 namespace rays::bench {
 

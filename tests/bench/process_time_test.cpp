@@ -24,7 +24,12 @@ TEST(ProcessTime, SidesTakeTurns) {
         return command;
     };
     const PairedTimes times = time_in_pairs(note("a"), note("b"), 3);
-    EXPECT_EQ(read_file(folder.path() / "order"), "ab" "ab" "ba" "ab") << "one of each that does not count, then turns";
+    EXPECT_EQ(read_file(folder.path() / "order"),
+              "ab"
+              "ab"
+              "ba"
+              "ab")
+        << "one of each that does not count, then turns";
     EXPECT_GT(times.first_s.low, 0);
     EXPECT_LE(times.ratio.low, times.ratio.median);
     EXPECT_LE(times.ratio.median, times.ratio.high);

@@ -7,8 +7,8 @@
 namespace rays::bench {
 
 /// The median and an interval that holds the true one with at least 95 % confidence, whatever the distribution: between
-/// two of the ordered values (sign test; Conover, Practical Nonparametric Statistics, 3.2). Fewer than six values cannot
-/// say so much: then it reaches from the smallest to the largest.
+/// two of the ordered values (sign test; Conover, Practical Nonparametric Statistics, 3.2). Fewer than six values
+/// cannot say so much: then it reaches from the smallest to the largest.
 struct Spread {
     double median = 0, low = 0, high = 0;
 };

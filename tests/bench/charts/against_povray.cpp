@@ -24,9 +24,10 @@ Chart against_povray(Laboratory& laboratory, int step, const std::string& folder
             .step = step,
             .kind = ChartKind::ratios,
             .title = "Whole pictures beside POV-Ray",
-            .text = fmt::format("Processor time (user and system) of the whole process from start to exit, {0} x {0} pixels, "
-                                "no anti-aliasing, one thread, EXR written. Pairs in turns; median and 95 % interval.",
-                                kSide),
+            .text = fmt::format(
+                "Processor time (user and system) of the whole process from start to exit, {0} x {0} pixels, "
+                "no anti-aliasing, one thread, EXR written. Pairs in turns; median and 95 % interval.",
+                kSide),
             .x = {"POV-Ray's time / ours", "", true},
             .y = {},
             .series = {series}};

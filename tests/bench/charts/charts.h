@@ -8,7 +8,8 @@
 
 namespace rays::bench {
 
-// ---- Step 1 ----------------------------------------------------------------------------------------------------------
+// ---- Step 1
+// ----------------------------------------------------------------------------------------------------------
 Chart float_and_double(Laboratory& laboratory);
 Chart float_against_double(Laboratory& laboratory);
 Chart sphere_near(Laboratory& laboratory);
@@ -19,7 +20,8 @@ Chart torus_methods(Laboratory& laboratory);
 Chart patch_methods(Laboratory& laboratory);
 Chart step_1_against_povray(Laboratory& laboratory);
 
-// ---- Step 2 ----------------------------------------------------------------------------------------------------------
+// ---- Step 2
+// ----------------------------------------------------------------------------------------------------------
 Chart step_2_against_povray(Laboratory& laboratory);
 
 struct NamedChart {

@@ -8,8 +8,8 @@ Point mean_error_point(const Measured& measured, const std::string& real) {
     return {.x = spread(measured.ns),
             .y = measured.error_mean,
             .label = "",
-            .settings = fmt::format("{}, {}; largest error {:.2g}, {:.2g} % of the rays answered wrongly", measured.settings,
-                                    real, measured.error_largest, 100 * measured.wrong)};
+            .settings = fmt::format("{}, {}; largest error {:.2g}, {:.2g} % of the rays answered wrongly",
+                                    measured.settings, real, measured.error_largest, 100 * measured.wrong)};
 }
 
 Series mean_error_series(const std::string& name, const std::string& role, const MeasuredByName& measured,

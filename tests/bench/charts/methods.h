@@ -10,7 +10,7 @@
 namespace rays::bench {
 
 inline const Axis kTimeOfRay{"CPU time of a ray", "ns", true};
-inline const Axis kMeanError{"mean error (wrong counts as 1)", "sizes of the shape", true};
+inline const Axis kMeanError{"mean error (wrong = 1)", "sizes of the shape", true};
 
 /// One point: the time of the method, its mean error, and in the settings also the largest error and wrong answers.
 Point mean_error_point(const Measured& measured, const std::string& real);

@@ -32,8 +32,9 @@ Chart float_and_double(Laboratory& laboratory) {
     return {.id = "1.reals",
             .step = 1,
             .title = "Every primitive in float and in double",
-            .text = "The ends of a line are the same code with both number types. Errors are distances from the true "
-                    "surface, the rays' own numbers taken as exact; about half of the rays hit.",
+            .text =
+                "The ends of a line are the same code with both number types. Errors are distances from the true "
+                "surface, the rays' own numbers taken as exact; about half of the rays hit.",
             .x = kTimeOfRay,
             .y = {"median error", "sizes of the shape", true},
             .series = {median_errors("double", "solution", both.in_double),
@@ -57,8 +58,9 @@ Chart float_against_double(Laboratory& laboratory) {
             .step = 1,
             .kind = ChartKind::ratios,
             .title = "Time in float as a share of the time in double",
-            .text = "Median of the rounds, each round's two builds one after the other, with its 95 % interval. Below 1 "
-                    "float is faster.",
+            .text =
+                "Median of the rounds, each round's two builds one after the other, with its 95 % interval. Below 1 "
+                "float is faster.",
             .x = {"time in float / time in double", "", true},
             .y = {},
             .series = {series}};

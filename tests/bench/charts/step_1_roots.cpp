@@ -6,20 +6,24 @@ namespace rays::bench {
 
 Chart sphere_near(Laboratory& laboratory) {
     return roots_chart("1.sphere.near", "A sphere from 10 radii away",
-                       "b^2 - c loses about a digit here; the robust form loses none, at two to three times the time.", "sphere/near", laboratory);
+                       "b^2 - c loses about a digit here; the robust form loses none, and takes longer.", "sphere/near",
+                       laboratory);
 }
 
 Chart sphere_far(Laboratory& laboratory) {
-    return roots_chart("1.sphere.far", "A sphere from 10 000 radii away",
-                       "The error of b^2 - c grows with the square of the distance: in float no digit is left and most rays are "
-                       "answered wrongly, in double half of the digits are gone. The robust form does not notice.",
-                       "sphere/far", laboratory);
+    return roots_chart(
+        "1.sphere.far", "A sphere from 10 000 radii away",
+        "The error of b^2 - c grows with the square of the distance: in float no digit is left and most rays are "
+        "answered wrongly, in double half of the digits are gone. The robust form loses only what t itself cannot "
+        "hold.",
+        "sphere/far", laboratory);
 }
 
 Chart quadric_near(Laboratory& laboratory) {
-    return roots_chart("1.quadric.near", "An ellipsoid (quadric) from 10 sizes away",
-                       "The price of the robust form: moving to the nearest point, a fused discriminant, Vieta's roots.",
-                       "quadric/near", laboratory);
+    return roots_chart(
+        "1.quadric.near", "An ellipsoid (quadric) from 10 sizes away",
+        "The price of the robust form: moving to the nearest point, a fused discriminant, Vieta's roots.",
+        "quadric/near", laboratory);
 }
 
 Chart quadric_far(Laboratory& laboratory) {

@@ -21,8 +21,9 @@ Chart torus_methods(Laboratory& laboratory) {
     return {.id = "1.torus",
             .step = 1,
             .title = "A torus: isolated roots, or steps along the ray",
-            .text = "Equal steps miss a pair of roots that lies between two of them; the rays of this chart keep a "
-                    "thousandth of the size away from silhouettes, so steps look better than they are.",
+            .text =
+                "Equal steps miss a pair of roots that lies between two of them; the rays of this chart keep a "
+                "thousandth of the size away from silhouettes, so steps look better than they are.",
             .x = kTimeOfRay,
             .y = kMeanError,
             .front = true,
@@ -36,18 +37,20 @@ Chart patch_methods(Laboratory& laboratory) {
     const BothReals& both = laboratory.methods(1);
     const auto newton = numbered("patch/newton/", {1, 2, 3, 4, 6});
     const auto triangles = numbered("patch/triangles/", {2, 4, 8, 16});
-    return {.id = "1.patch",
-            .step = 1,
-            .title = "A bicubic patch: certified subdivision, Newton's method, triangles",
-            .text = "Newton's method from few starts finds another root or none; triangles, which POV-Ray's patches are, "
-                    "are coarse. Certified subdivision asks Newton's method only where it cannot fail.",
-            .x = kTimeOfRay,
-            .y = kMeanError,
-            .front = true,
-            .series = {mean_error_series("certified, double", "solution", both.in_double, "double", {"patch/certified"}),
-                       mean_error_series("certified, float", "float", both.in_float, "float", {"patch/certified"}),
-                       mean_error_series("Newton, double", "naive", both.in_double, "double", newton),
-                       mean_error_series("triangles, double", "naive", both.in_double, "double", triangles)}};
+    return {
+        .id = "1.patch",
+        .step = 1,
+        .title = "A bicubic patch: certified subdivision, Newton's method, triangles",
+        .text =
+            "Newton's method from few starts finds another root or none; triangles, which POV-Ray's patches are, "
+            "are coarse. Certified subdivision asks Newton's method only where it cannot fail.",
+        .x = kTimeOfRay,
+        .y = kMeanError,
+        .front = true,
+        .series = {mean_error_series("certified, double", "solution", both.in_double, "double", {"patch/certified"}),
+                   mean_error_series("certified, float", "float", both.in_float, "float", {"patch/certified"}),
+                   mean_error_series("Newton, double", "naive", both.in_double, "double", newton),
+                   mean_error_series("triangles, double", "naive", both.in_double, "double", triangles)}};
 }
 
 }  // namespace rays::bench

@@ -58,7 +58,8 @@ PatchRoot<Number> newton_from(const std::array<glm::vec<3, Number>, 16>& control
         t = -glm::dot(to, n) / volume;
         const glm::vec<3, Number> off = to + t * d;  // in the tangent plane
         const Number n2 = glm::dot(n, n);
-        const Number step_u = glm::dot(glm::cross(off, at.dv), n) / n2, step_v = glm::dot(glm::cross(at.du, off), n) / n2;
+        const Number step_u = glm::dot(glm::cross(off, at.dv), n) / n2,
+                     step_v = glm::dot(glm::cross(at.du, off), n) / n2;
         u += step_u;
         v += step_v;
         if (!(std::abs(step_u) + std::abs(step_v) > 4 * std::numeric_limits<Number>::epsilon())) break;

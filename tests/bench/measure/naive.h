@@ -84,8 +84,7 @@ inline Mesh tessellated(const BicubicPatch& patch, std::uint32_t steps) {
     Mesh mesh;
     for (std::uint32_t i = 0; i <= steps; ++i)
         for (std::uint32_t j = 0; j <= steps; ++j)
-            mesh.positions.push_back(
-                patch_point<Real>(patch.control, Real(i) / Real(steps), Real(j) / Real(steps)).p);
+            mesh.positions.push_back(patch_point<Real>(patch.control, Real(i) / Real(steps), Real(j) / Real(steps)).p);
     for (std::uint32_t i = 0; i < steps; ++i) {
         for (std::uint32_t j = 0; j < steps; ++j) {
             const std::uint32_t a = i * (steps + 1) + j, b = a + steps + 1;

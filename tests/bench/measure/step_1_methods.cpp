@@ -23,8 +23,9 @@ void add_sphere(const std::string& place, double sizes_away) {
     const auto target = target_of(truth_of(sphere), sizes_away, [sphere](const ExactVec& p, const Root&) {
         return std::abs(glm::length(p - ExactVec(sphere.center)) - Exact(sphere.radius));
     });
-    add_subject("sphere/" + place + "/robust", fmt::format("r^2 - |l|^2 and Vieta's roots, from {} radii away", sizes_away),
-                target, [sphere](const Ray& ray) { return intersect(sphere, ray, {}); });
+    add_subject("sphere/" + place + "/robust",
+                fmt::format("r^2 - |l|^2 and Vieta's roots, from {} radii away", sizes_away), target,
+                [sphere](const Ray& ray) { return intersect(sphere, ray, {}); });
     add_subject("sphere/" + place + "/textbook", fmt::format("b^2 - c, from {} radii away", sizes_away), target,
                 [sphere](const Ray& ray) { return textbook_sphere(sphere, ray, {}); });
 }
@@ -38,8 +39,8 @@ void add_quadric(const std::string& place, double sizes_away) {
         return std::abs(glm::dot(point, qp)) / (2 * glm::length(ExactVec(qp)));
     });
     add_subject("quadric/" + place + "/robust",
-                fmt::format("from the nearest point, fused discriminant, Vieta's roots; {} sizes away", sizes_away), target,
-                [quadric](const Ray& ray) { return intersect(quadric, ray, {}); });
+                fmt::format("from the nearest point, fused discriminant, Vieta's roots; {} sizes away", sizes_away),
+                target, [quadric](const Ray& ray) { return intersect(quadric, ray, {}); });
     add_subject("quadric/" + place + "/textbook", fmt::format("(-b -+ sqrt(b^2 - a c)) / a; {} sizes away", sizes_away),
                 target, [quadric](const Ray& ray) { return textbook_quadric(quadric, ray, {}); });
 }
@@ -72,8 +73,9 @@ void add_patch_methods() {
     add_subject("patch/certified", "subdivision until Newton's method cannot miss", target,
                 [patch](const Ray& ray) { return intersect(patch, ray, {}); });
     for (const int starts : {1, 2, 3, 4, 6})
-        add_subject(fmt::format("patch/newton/{}", starts), fmt::format("Newton's method from {0} x {0} starts", starts),
-                    target, [patch, starts](const Ray& ray) { return newton_patch(patch, ray, {}, starts); });
+        add_subject(fmt::format("patch/newton/{}", starts),
+                    fmt::format("Newton's method from {0} x {0} starts", starts), target,
+                    [patch, starts](const Ray& ray) { return newton_patch(patch, ray, {}, starts); });
     for (const unsigned steps : {2u, 4u, 8u, 16u})
         add_subject(fmt::format("patch/triangles/{}", steps),
                     fmt::format("{} triangles in a bounding sphere, asked one by one", 2 * steps * steps), target,

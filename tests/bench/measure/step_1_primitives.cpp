@@ -62,7 +62,8 @@ void add_flat_shapes() {
         const ExactVec n(plane.normal);
         return std::abs(glm::dot(n, p) - Exact(plane.offset)) / glm::length(n);
     });
-    const Triangle triangle{{Real(-0.8), Real(-0.5), Real(0.1)}, {Real(0.9), Real(-0.4), Real(-0.1)}, {Real(0.1), Real(0.9), Real(0.3)}};
+    const Triangle triangle{
+        {Real(-0.8), Real(-0.5), Real(0.1)}, {Real(0.9), Real(-0.4), Real(-0.1)}, {Real(0.1), Real(0.9), Real(0.3)}};
     add_primitive("triangle", triangle, 1, [triangle](const ExactVec& p, const Root&) {
         const ExactVec a(triangle.a);
         return off_plane(p, a, glm::cross(ExactVec(triangle.b) - a, ExactVec(triangle.c) - a));
@@ -75,7 +76,8 @@ void add_flat_shapes() {
         const int axis = static_cast<int>(root.part / 2);
         return std::abs(p[axis] - Exact(root.part % 2 == 0 ? box.min[axis] : box.max[axis]));
     });
-    const Disc disc{Vec3(Real(0.1), 0, Real(-0.1)), glm::normalize(Vec3(Real(0.2), Real(1), Real(0.4))), Real(0.9), Real(0.3)};
+    const Disc disc{Vec3(Real(0.1), 0, Real(-0.1)), glm::normalize(Vec3(Real(0.2), Real(1), Real(0.4))), Real(0.9),
+                    Real(0.3)};
     add_primitive("disc", disc, 1, [disc](const ExactVec& p, const Root&) {
         return off_plane(p, ExactVec(disc.center), ExactVec(disc.normal));
     });
@@ -83,23 +85,31 @@ void add_flat_shapes() {
 
 void add_round_shapes() {
     const Sphere sphere{Vec3(Real(0.05), Real(-0.03), Real(0.02)), Real(0.95)};
-    add_primitive("sphere", sphere, 1, [sphere](const ExactVec& p, const Root&) {
-        return std::abs(glm::length(p - ExactVec(sphere.center)) - Exact(sphere.radius));
-    }, truth_of(sphere));
+    add_primitive(
+        "sphere", sphere, 1,
+        [sphere](const ExactVec& p, const Root&) {
+            return std::abs(glm::length(p - ExactVec(sphere.center)) - Exact(sphere.radius));
+        },
+        truth_of(sphere));
     const Vec3 base(Real(-0.2), Real(-0.7), Real(0.1)), cap(Real(0.2), Real(0.6), Real(-0.1));
     const Cone cylinder{base, Real(0.5), cap, Real(0.5), false}, cone{base, Real(0.6), cap, Real(0.1), false};
     for (const auto& [name, shape] : {std::pair{"cylinder", cylinder}, std::pair{"cone", cone}})
-        add_primitive(name, shape, 1, [shape = shape](const ExactVec& p, const Root& root) { return off_cone(shape, p, root); });
+        add_primitive(name, shape, 1,
+                      [shape = shape](const ExactVec& p, const Root& root) { return off_cone(shape, p, root); });
 
     Quadric ellipsoid;  // x^2 + 2 y^2 + 3 z^2 + x y / 2 = 0.9
     ellipsoid.q[0][0] = 1, ellipsoid.q[1][1] = 2, ellipsoid.q[2][2] = 3, ellipsoid.q[3][3] = Real(-0.9);
     ellipsoid.q[0][1] = ellipsoid.q[1][0] = Real(0.25);
-    add_primitive("quadric", ellipsoid, 1,
-                  [ellipsoid](const ExactVec& p, const Root&) { return off_quadric(ellipsoid, p); }, truth_of(ellipsoid));
+    add_primitive(
+        "quadric", ellipsoid, 1, [ellipsoid](const ExactVec& p, const Root&) { return off_quadric(ellipsoid, p); },
+        truth_of(ellipsoid));
     const Torus torus{Real(0.75), Real(0.25)};
-    add_primitive("torus", torus, 1, [torus](const ExactVec& p, const Root&) {
-        return std::abs(std::hypot(std::hypot(p.x, p.z) - torus.major, p.y) - torus.minor);
-    }, truth_of(torus));
+    add_primitive(
+        "torus", torus, 1,
+        [torus](const ExactVec& p, const Root&) {
+            return std::abs(std::hypot(std::hypot(p.x, p.z) - torus.major, p.y) - torus.minor);
+        },
+        truth_of(torus));
 }
 
 }  // namespace
@@ -108,7 +118,8 @@ BicubicPatch wavy_patch() {
     BicubicPatch patch;
     const double heights[16] = {0.0, 0.5, -0.6, 0.1, 0.4, -0.8, 0.9, -0.2, -0.5, 0.7, -0.7, 0.5, 0.2, -0.4, 0.3, 0.0};
     for (std::size_t i = 0; i < 16; ++i)
-        patch.control[i] = Vec3(glm::dvec3(-0.6 + 0.4 * static_cast<double>(i / 4), heights[i], -0.6 + 0.4 * static_cast<double>(i % 4)));
+        patch.control[i] = Vec3(
+            glm::dvec3(-0.6 + 0.4 * static_cast<double>(i / 4), heights[i], -0.6 + 0.4 * static_cast<double>(i % 4)));
     prepare(patch);
     return patch;
 }

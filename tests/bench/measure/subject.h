@@ -36,7 +36,8 @@ void add_subject(const std::string& name, const std::string& settings, const std
     });
 }
 
-// ---- Step 1 ----------------------------------------------------------------------------------------------------------
+// ---- Step 1
+// ----------------------------------------------------------------------------------------------------------
 
 /// One patch, of size 1, with silhouettes and up to six roots a ray.
 BicubicPatch wavy_patch();

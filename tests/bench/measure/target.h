@@ -26,10 +26,10 @@ using ExactRoot = std::function<std::optional<Exact>(const ExactRay&)>;
 
 /// Shapes are rounded to `Real` first, and the truth is that of the rounded shape: what is judged is the method.
 struct Target {
-    double size = 1;         ///< radius of the shape about the origin: errors are counted in it
-    std::vector<Ray> rays;   ///< with directions of unit length but for rounding
+    double size = 1;        ///< radius of the shape about the origin: errors are counted in it
+    std::vector<Ray> rays;  ///< with directions of unit length but for rounding
     std::function<Exact(const ExactVec& point, const Root&)> off_surface;  ///< distance to it; empty: along the ray
-    ExactRoot nearest;       ///< the truth; empty: only what is hit is judged
+    ExactRoot nearest;  ///< the truth; empty: only what is hit is judged
 };
 
 struct Accuracy {
@@ -42,9 +42,9 @@ using Answers = std::vector<std::optional<Root>>;
 /// Judges the answers to target.rays, in their order.
 Accuracy judge(const Target& target, const Answers& answers);
 
-/// `count` rays from `sizes_away` sizes towards points of a ball somewhat larger than the shape: about half of them hit.
-/// With a truth, rays are left out that pass within a thousandth of the size of an edge or a silhouette: there both
-/// answers are right. The same for the same arguments.
+/// `count` rays from `sizes_away` sizes towards points of a ball somewhat larger than the shape: about half of them
+/// hit. With a truth, rays are left out that pass within a thousandth of the size of an edge or a silhouette: there
+/// both answers are right. The same for the same arguments.
 std::vector<Ray> rays_around(double size, double sizes_away, std::size_t count, const ExactRoot& truth);
 
 }  // namespace rays::bench

@@ -126,7 +126,8 @@ ExactRoot truth_of(const Sphere& sphere) {
         moved.origin -= ExactVec(sphere.center);
         const Exact shift = nearest_to_origin(moved), r = sphere.radius;
         const ExactVec p = moved.at(shift);
-        return first_root(glm::dot(ray.direction, ray.direction), glm::dot(p, ray.direction), glm::dot(p, p) - r * r, shift);
+        return first_root(glm::dot(ray.direction, ray.direction), glm::dot(p, ray.direction), glm::dot(p, p) - r * r,
+                          shift);
     };
 }
 
