@@ -6,6 +6,9 @@
 
 namespace rays::sdl {
 
+/// POV-Ray's tolerance for truth and equality.
+inline constexpr double kEpsilon = 1e-10;
+
 /// Text of one file. A 100 MB scene must pass.
 inline constexpr std::uintmax_t kMostBytesOfText = 400u << 20;
 /// Nested braces, parentheses, unions, macro arguments: each level costs some hundred bytes of stack.
