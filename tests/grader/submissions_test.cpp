@@ -149,6 +149,38 @@ TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
     EXPECT_LT(step.points, step.max);
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    const auto found = text.find(what);
+    EXPECT_NE(found, std::string::npos) << "the solution has changed";
+    return text.replace(found, what.size(), by);
+}
+
+/// What the grader says must hold: only ray trees, questions and hints, when no known mistake explains the answers.
+void expect_caught_but_not_named(const StepResult& step, const std::vector<std::string>& caught) {
+    std::vector<std::string> failed;
+    for (const Check& c : step.checks) {
+        if (c.kind == "unit" && c.verdict != Verdict::pass) failed.push_back(c.id);
+        for (const Diagnosis& d : c.diagnosis) EXPECT_NE(d.kind, "mutant") << c.id << ": " << d.text;
+    }
+    EXPECT_EQ(failed, caught);
+}
+
+// Light falls off with the root of the cosine: wrong, and none of the list.
+TEST_F(SubmissionsTest, AnUnknownMistakeIsCaughtAndNotGivenAWrongName) {
+    put(kFile, replaced(solution(), "finish->diffuse * static_cast<float>(n_dot_l)",
+                        "finish->diffuse * std::sqrt(static_cast<float>(n_dot_l))"));
+    expect_caught_but_not_named(run().steps.at(0), {"2.3.unit", "2.10.unit"});
+}
+
+// One mistake of the list and one that is not: the known one explains only a part of the answers.
+TEST_F(SubmissionsTest, TwoMistakesAtOnceAreBothCaught) {
+    std::string text = replaced(solution(), "return 2 / (1 + grown);", "return 3 / (2 + grown);");
+    for (const Mutant& m : read_mutants(project.mutants()))
+        if (m.id == "M2.3") text = apply(m, text);
+    put(kFile, text);
+    expect_caught_but_not_named(run().steps.at(0), {"2.4.unit", "2.6.unit", "2.8.unit", "2.10.unit"});
+}
+
 TEST_F(SubmissionsTest, PixelsThatAreNoNumbersFail) {
     put(kFile,
         solution_with("    Illumination nothing; nothing.radiance = Radiance(std::nanf(\"\")); return nothing;"));
