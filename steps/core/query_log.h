@@ -36,6 +36,6 @@ struct QueryLog {
 };
 
 /// Null but while a pixel is being explained, on the thread that explains it.
-extern thread_local QueryLog* query_log;
+extern constinit thread_local QueryLog* query_log;
 
 }  // namespace rays
