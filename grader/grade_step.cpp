@@ -210,7 +210,8 @@ std::optional<KnownMutant> diagnose(const Bench& bench, const StepFingerprints& 
     for (const Question& q : questions) asked.push_back(&q);
     const Replies student = ask(bench.sandbox, bench.student, asked, bench.limits);
     const Replies solution = ask(bench.sandbox, bench.solution, asked, bench.limits);
-    return nearest_mutant(fingerprint(student.answers, solution.answers), fingerprints.mutants);
+    return nearest_mutant(fingerprint(student.answers, solution.answers), fingerprints.mutants,
+                          unfinished_questions(student.answers));
 }
 
 StepResult grade_step(const StepOrder& order) {

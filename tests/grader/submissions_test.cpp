@@ -165,6 +165,25 @@ void expect_caught_but_not_named(const StepResult& step, const std::vector<std::
     EXPECT_EQ(failed, caught);
 }
 
+// Most of what this mistake would spoil is not written yet.
+TEST_F(SubmissionsTest, AKnownMistakeIsNamedInHalfFinishedWork) {
+    std::string text = solution_with("    unfinished(\"2.8\");\n    return {};");
+    text = replaced(
+        text, "Radiance direct_light(const Scene& scene, const Intersector& intersector, const Surface& surface) {",
+        "Radiance direct_light(const Scene&, const Intersector&, const Surface&) {\n    unfinished(\"2.10\");\n"
+        "    return {};\n}\n\n[[maybe_unused]] static Radiance later(const Scene& scene, const Intersector& "
+        "intersector, const Surface& surface) {");
+    for (const Mutant& m : read_mutants(project.mutants()))
+        if (m.id == "M2.3") text = apply(m, text);
+    put(kFile, text);
+    std::string named;
+    const StepResult step = run().steps.at(0);
+    for (const Check& c : step.checks)
+        for (const Diagnosis& d : c.diagnosis)
+            if (d.kind == "mutant") named = d.mutant;
+    EXPECT_EQ(named, "M2.3");
+}
+
 // Light falls off with the root of the cosine: wrong, and none of the list.
 TEST_F(SubmissionsTest, AnUnknownMistakeIsCaughtAndNotGivenAWrongName) {
     put(kFile, replaced(solution(), "finish->diffuse * static_cast<float>(n_dot_l)",
@@ -215,9 +234,9 @@ TEST_F(SubmissionsTest, AGradeCannotBePrinted) {
 
 // Who looks for a mistake prints. It costs nothing: answers and ray trees have a standard output of their own.
 TEST_F(SubmissionsTest, PrintingToStandardOutputCostsNothing) {
-    put(kFile, "#include <iostream>\n" +
-                   solution_with("    std::printf(\"here\\n\"); std::cout << \"there\" << std::endl; "
-                                 "[[maybe_unused]] const auto n = write(1, \"miss\\n\", 5);"));
+    put(kFile,
+        "#include <iostream>\n" + solution_with("    std::printf(\"here\\n\"); std::cout << \"there\" << std::endl; "
+                                                "[[maybe_unused]] const auto n = write(1, \"miss\\n\", 5);"));
     const StepResult step = run().steps.at(0);
     EXPECT_EQ(step.verdict, Verdict::pass);
     EXPECT_NEAR(step.points, step.max, 1e-9);
