@@ -61,6 +61,18 @@ void ask_one_by_one(const Sandbox& sandbox, const std::filesystem::path& program
 
 }  // namespace
 
+std::string shown_answer(const Answer& answer, const Replies& replies, std::size_t limit) {
+    if (answer.kind != Answer::Kind::missing) return answer.text.empty() ? "an empty line" : plain(answer.text, limit);
+    if (replies.ended.timed_out) return "no answer (the program had run out of time)";
+    return replies.ended.signal ? "no answer (the program had crashed)" : "no answer";
+}
+
+std::string unfinished_task(const std::vector<Answer>& answers) {
+    for (const Answer& a : answers)
+        if (a.kind == Answer::Kind::unfinished) return plain(a.text.substr(std::string("unfinished ").size()), 12);
+    return {};
+}
+
 Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const std::vector<const Question*>& questions,
             const Limits& limits) {
     Replies replies;
@@ -76,7 +88,8 @@ Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const 
     if (run.surplus) {
         // No line can be trusted to be the answer to its question.
         replies.problem = fmt::format(
-            "more lines than the {} questions asked: does your code write to descriptors that are not its own?", questions.size());
+            "more lines than the {} questions asked: does your code write to descriptors that are not its own?",
+            questions.size());
         return replies;
     }
     const bool whole = run.ended.ok() && run.answers.size() == questions.size();

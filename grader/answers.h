@@ -17,6 +17,12 @@ struct Replies {
     bool infrastructure = false;  ///< the program could not be started: nobody's wrong answer
 };
 
+/// An answer for a message; where none came, why: "no answer (the program had crashed)".
+std::string shown_answer(const Answer& answer, const Replies& replies, std::size_t limit);
+
+/// The task that the first unfinished answer names; empty when none does.
+std::string unfinished_task(const std::vector<Answer>& answers);
+
 /// Asks all of them. When the program crashes or hangs, the questions without an answer are asked once more one by
 /// one, so that a crash costs the question that caused it; after four such losses the rest counts as lost, too.
 Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const std::vector<const Question*>& questions,

@@ -63,6 +63,7 @@ struct Check {
     std::string mode = "isolated";  ///< or "all mine"
     std::string title;
     Verdict verdict = Verdict::fail;
+    bool waits = false;  ///< nothing is wrong: what is missing waits for other tasks. Not written to the file.
     double points = 0, max = 0;
     std::string message;
     std::string reproduce;

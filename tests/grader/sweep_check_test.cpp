@@ -64,6 +64,25 @@ TEST_F(SweepCheckTest, ALogarithmicChartShowsTheWorst) {
     EXPECT_GT(c.chart->series.at(0).points.at(0).second, 0) << "no error at all still needs a number";
 }
 
+// The identity needs no transform: an unwritten task is right at x = 1.
+TEST_F(SweepCheckTest, WhatIsNotWrittenIsNotStartedThoughSomeOfItIsRight) {
+    const char* waits = "unfinished 9.1";
+    const Check c = check(true, {waits, waits, waits, waits});
+    EXPECT_EQ(c.verdict, Verdict::not_started);
+    EXPECT_EQ(c.points, 0);
+    EXPECT_NE(c.message.find("right at 1 of 2 points from 1 to 10; 4 answers wait for task 9.1"), std::string::npos)
+        << c.message;
+    const Check wrong = check(true, {waits, "0.5", waits, waits});
+    EXPECT_EQ(wrong.verdict, Verdict::fail);
+    EXPECT_NE(wrong.message.find("got 0.5"), std::string::npos) << wrong.message;
+}
+
+TEST_F(SweepCheckTest, ALostAnswerSaysThatTheProgramCrashed) {
+    const Check c = check(true, {"0", "0", "$(kill -SEGV $$)", "0"});
+    EXPECT_EQ(c.verdict, Verdict::crash);
+    EXPECT_NE(c.message.find("got no answer (the program had crashed)"), std::string::npos) << c.message;
+}
+
 TEST_F(SweepCheckTest, WhatIsNoNumberFailed) {
     EXPECT_EQ(check(false, {"0", "miss", "0", "0"}).chart->series.at(0).points.at(1).second, std::nullopt);
     EXPECT_EQ(check(true, {"0", "nan", "0", "0"}).chart->series.at(0).points.at(1).second, std::nullopt);
