@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "grader/text.h"
+#include "grader/verdicts.h"
 
 namespace rays::grader {
 namespace {
@@ -100,6 +101,7 @@ Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const 
         return replies;
     }
     replies.problem = "the program " + how_it_ended(run.ended);
+    if (run.ended.signal && !run.ended.timed_out) replies.problem += kFindTheCrash;
     if (run.ended.exit > 0) replies.problem += ": " + plain(run.ended.err);
     ask_one_by_one(sandbox, program, questions, limits, replies);
     return replies;

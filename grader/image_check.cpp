@@ -181,9 +181,7 @@ Check image_check(const Bench& bench, const SceneTask& scene) {
 }
 
 Check all_mine_check(const Bench& bench, const SceneTask& scene, const fs::path& all_mine) {
-    Check check = picture_check(bench, scene, all_mine, "all mine");
-    check.title += " (all steps yours)";
-    return check;
+    return picture_check(bench, scene, all_mine, "all mine");
 }
 
 bool has_fresh_scenes(const std::string& task) { return fresh_scene(task, 1).has_value(); }

@@ -15,7 +15,7 @@ std::optional<Finding> against_run(const Ended& e) {
     if (!e.started) return Finding{Verdict::infrastructure_error, how};
     if (e.timed_out) return Finding{Verdict::time_out, how};
     if (e.flooded) return Finding{Verdict::fail, how};
-    if (e.signal) return Finding{Verdict::crash, how};
+    if (e.signal) return Finding{Verdict::crash, how + kFindTheCrash};
     return Finding{Verdict::fail, how + ": " + plain(e.err)};
 }
 

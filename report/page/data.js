@@ -56,6 +56,12 @@ R.task = (step, id) => step.tasks.find((task) => task.id === id);
 
 R.hasBoth = (image) => Boolean(image.embedded?.student && image.embedded?.reference);
 
+/** A program that crashed left no picture: then the numbers of the comparison are zeros that mean nothing. */
+R.wasCompared = (image) => R.text(image.student) !== "" && image.pixels !== 0;
+
+/** Nothing of such a step could be run: its checks all say the same. */
+R.doesNotCompile = (step) => step.verdict === "build error";
+
 /** One check a scene for the gallery: the one that went worst. */
 R.gallery = () => {
     // Among the others' steps a picture that waits hides no picture that is right by this step alone.

@@ -8,7 +8,14 @@
         R.h("p", {class: "nothing-failed", text: R.needAttention.length ? "" : "Nothing failed: there is nothing to show under this filter."}), R.colophon()] : [R.speed({heading: "h1"}), R.colophon()]).filter(Boolean));
     R.preparePrint();
     Promise.all(R.pending).then(() => (document.documentElement.dataset.ready = "true"));
-    if (location.hash.length > 1) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+    const goThere = () => {
+        const target = document.getElementById(location.hash.slice(1));
+        const fold = target?.closest("details");
+        if (fold) fold.open = true;
+        target?.scrollIntoView();
+    };
+    if (location.hash.length > 1) goThere();
+    addEventListener("hashchange", goThere);
 
     // The step that is being read is marked in the rail.
     const links = new Map([...document.querySelectorAll(".rail-list > li > a")].map((a) => [a.getAttribute("href").slice(1), a]));

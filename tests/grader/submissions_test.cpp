@@ -1,4 +1,5 @@
 // Whole submissions: built, run and graded as a student's are. Good ones, untouched ones, broken ones, hostile ones.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,6 +70,12 @@ std::vector<Verdict> verdicts(const StepResult& step, const std::string& kind) {
     return list;
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    const auto found = text.find(what);
+    EXPECT_NE(found, std::string::npos) << "the solution has changed";
+    return text.replace(found, what.size(), by);
+}
+
 bool has(const std::vector<Verdict>& list, Verdict v) { return std::find(list.begin(), list.end(), v) != list.end(); }
 
 TEST_F(SubmissionsTest, TheSolutionGetsFullMarks) {
@@ -117,6 +124,17 @@ TEST_F(SubmissionsTest, ASyntaxErrorIsABuildError) {
         << step.checks.at(0).message;
 }
 
+TEST_F(SubmissionsTest, TheCompilersQuotationMarksArrive) {
+    ::setenv("LC_ALL", "C.UTF-8", 1);
+    put(kFile, "#include \"2_phong/phong.h\"\nint x = rays::Surface().centre;\n");
+    const StepResult step = run().steps.at(0);
+    ::unsetenv("LC_ALL");
+    EXPECT_NE(step.checks.at(0).message.find("has no member named 'centre'"), std::string::npos)
+        << step.checks.at(0).message;
+    for (const TaskResult& t : step.tasks) EXPECT_EQ(t.hint, "") << "the compiler has said what is wrong";
+    for (const Check& c : step.checks) EXPECT_TRUE(c.diagnosis.empty());
+}
+
 TEST_F(SubmissionsTest, AMissingFunctionIsABuildError) {
     put(kFile, "namespace rays {}\n");
     EXPECT_EQ(run().steps.at(0).verdict, Verdict::build_error);
@@ -128,6 +146,31 @@ TEST_F(SubmissionsTest, ACrashIsACrash) {
     EXPECT_TRUE(has(verdicts(step, "image"), Verdict::crash));
     EXPECT_TRUE(has(verdicts(step, "unit"), Verdict::crash));
     EXPECT_TRUE(has(verdicts(step, "unit"), Verdict::pass)) << "tasks that do not need it are not punished";
+    for (const Check& c : step.checks)
+        if (c.verdict == Verdict::crash) {
+            EXPECT_NE(c.message.find("build with the debug preset"), std::string::npos) << c.id << ": " << c.message;
+        }
+}
+
+// Nothing of 2.7 is written, and its fresh scenes come upon the crash of 2.8.
+TEST_F(SubmissionsTest, AnUnwrittenTaskDoesNotCrash) {
+    put(kFile,
+        replaced(
+            solution_with("    std::abort();"), "Real cone_of_light(const Light& light, const Vec3& point) {",
+            "Real cone_of_light(const Light& light, const Vec3& point) {\n    if (light.kind != "
+            "Light::Kind::point || point.x == point.x) {\n        unfinished(\"2.7\");\n        return {};\n    }"));
+    const StepResult step = run().steps.at(0);
+    int seen = 0;
+    for (const Check& c : step.checks)
+        if (c.task == "2.7" && c.kind != "image") {
+            EXPECT_EQ(c.verdict, Verdict::not_started) << c.id << ": " << c.message;
+            seen += c.kind == "fresh";
+        }
+    EXPECT_EQ(seen, 1);
+    for (const TaskResult& t : step.tasks)
+        if (t.id == "2.7") {
+            EXPECT_EQ(t.verdict, Verdict::not_started);
+        }
 }
 
 TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
@@ -145,14 +188,16 @@ TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
     }
     EXPECT_EQ(named, "M2.3");
     EXPECT_TRUE(tree);
+    for (const Check& c : step.checks) {
+        if (c.kind != "image" || c.verdict != Verdict::fail) continue;
+        const std::string view = fmt::format("--width {} --height {} --from {}", c.image->width, c.image->height,
+                                             c.mode == "isolated" ? "student-2" : "student");
+        EXPECT_EQ(c.reproduce, fmt::format("./rays render scenes/{0} -o picture.png {3}\n"
+                                           "./rays explain scenes/{0} --pixel {1},{2} {3}",
+                                           c.image->scene, c.image->worst_x, c.image->worst_y, view));
+    }
     EXPECT_GT(step.points, 0);
     EXPECT_LT(step.points, step.max);
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-    const auto found = text.find(what);
-    EXPECT_NE(found, std::string::npos) << "the solution has changed";
-    return text.replace(found, what.size(), by);
 }
 
 /// What the grader says must hold: only ray trees, questions and hints, when no known mistake explains the answers.
@@ -219,7 +264,7 @@ TEST_F(SubmissionsTest, PicturesKnownByHeartDoNotCount) {
     for (const Check& c : step.checks) {
         if (c.kind != "image" || c.mode != "isolated") continue;
         EXPECT_EQ(c.points, 0) << c.id;
-        withheld += c.message.find("so it does not count") != std::string::npos;
+        withheld += c.message.find("it does not count yet: no fresh scene of task") != std::string::npos;
     }
     EXPECT_GT(withheld, 10);
 }
