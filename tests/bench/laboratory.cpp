@@ -62,18 +62,19 @@ void add_round(MeasuredByName& measured, const std::string& benchmark_json) {
 }
 
 const BothReals& Laboratory::methods(int step) {
-    const auto [found, is_new] = methods_.try_emplace(step);
-    if (!is_new) return found->second;
+    const auto emplaced = methods_.try_emplace(step);
+    BothReals& found = emplaced.first->second;
+    if (!emplaced.second) return found;
     const auto measure = [&](bool in_float) {
         const auto command = measuring(in_float ? settings_.float_bin : settings_.bin, step, settings_.seconds);
-        add_round(in_float ? found->second.in_float : found->second.in_double, run_or_throw(command).out);
+        add_round(in_float ? found.in_float : found.in_double, run_or_throw(command).out);
     };
     for (int round = 0; round < settings_.rounds; ++round) {
         std::fprintf(stderr, "rays-chart: methods of step %d, round %d of %d\n", step, round + 1, settings_.rounds);
         measure(round % 2 == 1);
         measure(round % 2 == 0);
     }
-    return found->second;
+    return found;
 }
 
 PairedTimes Laboratory::against_povray(const std::string& scene, int width, int height) const {
