@@ -16,7 +16,10 @@ struct Tally {
     int right = 0, unfinished = 0, missing = 0, asked = 0;
     std::string first_wrong;
 
+    int answered() const { return asked - unfinished - missing; }
     bool none_wrong() const { return right + unfinished == asked; }
+    /// What crashed on the way to an unwritten task is another one's.
+    bool not_begun() const { return unfinished > 0 && answered() == 0; }
 };
 
 using Shown = std::vector<AskedQuestion>;
@@ -55,15 +58,15 @@ Tally judge(const std::vector<const Question*>& questions, const Replies& replie
 std::string counted(const Tally& t, const std::string& task) {
     if (t.unfinished == 0) return fmt::format("{} of {} questions answered right", t.right, t.asked);
     if (t.unfinished == t.asked) return fmt::format("all {} questions wait for task {}", t.asked, task);
-    return fmt::format("{} of {} answered questions right; {} wait for task {}", t.right, t.asked - t.unfinished,
-                       t.unfinished, task);
+    return fmt::format("{} of {} answered questions right; {} wait for task {}", t.right, t.answered(), t.unfinished,
+                       task);
 }
 
 Verdict verdict_of(const Tally& t, const Replies& replies) {
     if (t.right == t.asked && t.asked > 0) return Verdict::pass;
+    if (t.not_begun()) return Verdict::not_started;
     if (t.missing > 0 && replies.ended.timed_out) return Verdict::time_out;
     if (t.missing > 0 && replies.ended.signal) return Verdict::crash;
-    if (t.unfinished == t.asked) return Verdict::not_started;
     if (t.none_wrong()) return Verdict::partial;
     return 2 * t.right > t.asked ? Verdict::partial : Verdict::fail;
 }
@@ -90,7 +93,7 @@ Check unit_check(const Bench& bench, const Task& task, const std::vector<Questio
     check.waits = tally.unfinished > 0 && tally.none_wrong();
     check.message = counted(tally, unfinished_task(replies.answers));
     if (!replies.problem.empty()) check.message += "; " + replies.problem;
-    if (!tally.first_wrong.empty()) check.message += "; " + tally.first_wrong;
+    if (!tally.first_wrong.empty() && !tally.not_begun()) check.message += "; " + tally.first_wrong;
     return check;
 }
 

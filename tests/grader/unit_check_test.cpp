@@ -56,6 +56,13 @@ TEST_F(UnitCheckTest, NothingAnsweredIsNotStarted) {
     EXPECT_EQ(c.message, "all 2 questions wait for task 9.1");
 }
 
+TEST_F(UnitCheckTest, AnUnwrittenTaskDoesNotCrash) {
+    const Check c = check({"unfinished 9.1", "crash", "unfinished 9.1"});
+    EXPECT_EQ(c.verdict, Verdict::not_started);
+    EXPECT_TRUE(c.message.starts_with("0 of 0 answered questions right; 2 wait for task 9.1; the program crashed"))
+        << c.message;
+}
+
 TEST_F(UnitCheckTest, ACrashIsSaidWhereAnAnswerIsMissing) {
     const Check c = check({"1", "crash", "1"});
     EXPECT_EQ(c.verdict, Verdict::crash);
