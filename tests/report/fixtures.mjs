@@ -139,6 +139,28 @@ export const huge = () => {
     return finished(results);
 };
 
+/** Half-finished work: tasks that are not started, one that waits, and a picture that a crash has prevented. */
+export const half = () => {
+    const results = base();
+    results.submission = {name: "ada", from: "student"};
+    const nothing = {pixels: 0, beyond_rounding: 0, on_silhouettes: 0, max_error: 0, rmse: 0, tolerance: 0, tolerance_absolute: 0, worst: {x: 0, y: 0, student: [0, 0, 0], reference: [0, 0, 0]}};
+    const {student, ...unseen} = {...image(SCENES[0], 0), ...nothing};
+    results.steps = [step(1, [check("1.3", "image", "one sphere", "crash", {message: "crashed: signal 11", image: unseen}),
+        ...TASKS[1].filter(([id]) => id !== "1.1").map(([id, title]) => check(id, "unit", title, "not started", {message: `all 24 questions wait for task ${id}`})),
+        check("1.1", "unit", "Camera rays", "partial", {message: "18 of 18 answered questions right; 6 wait for task 1.7", questions: questions("1.1", 6).map((q) => (q.ok ? q : {...q, answer: "unfinished 1.7"}))})])];
+    return {...finished(results), score: {points: 11.06, max: 40}};
+};
+
+export const COMPILER = "steps/1_x/file.cpp:57:41: error: 'struct Sphere' has no member named 'centre'\n   57 | int f(Sphere s) { return s.centre; }\n      |                            ^~~~~~\n";
+
+/** The compiler stopped: the same text in every check. */
+export const unbuilt = () => {
+    const results = base();
+    results.steps = [step(1, TASKS[1].map(([id, title]) => check(id, "unit", title, "build error", {message: COMPILER})))];
+    results.steps[0].verdict = "build error";
+    return finished(results);
+};
+
 /** What ./rays chart writes: a front, linked labels, a joined knob, an error of 0, ratios; and texts that are hostile. */
 export const charts = (text = (t) => t) => ({
     schema: "raysteps-charts/1", machine: {cpu: "AMD EPYC 7B13", cores: 2, os: "Debian GNU/Linux 12 (bookworm)"}, versions: {raysteps: "0.1.0", povray: "3.7.0.10", compiler: "GNU 12.2.0"},
@@ -185,7 +207,7 @@ export const writeFixtures = async (folder, makePictures) => {
     writeFileSync(join(pictures, "absurd.exr"), absurdExr());
     writeFileSync(join(pictures, "cut.exr"), readFileSync(join(pictures, "student-2-0.exr")).subarray(0, 3000));
     const paths = {};
-    for (const [name, make] of Object.entries({good, wrong, hostile, huge})) {
+    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt})) {
         paths[name] = join(folder, `${name}.json`);
         writeFileSync(paths[name], JSON.stringify(make()));
     }
