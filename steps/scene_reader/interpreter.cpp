@@ -182,7 +182,7 @@ void Interpreter::note(const Place& place, std::string_view what) {
 }
 
 void Interpreter::object_made(const Place& place) {
-    buy_work();
+    buy_work(kWorkOfPlainSphere);
     if (++budget_.objects > kMostObjects) {
         fail(place, fmt::format("the scene has more than {} objects; use a mesh", kMostObjects));
     }

@@ -112,7 +112,7 @@ public:
     void object_made(const Place& place);
     /// The same for a face of a mesh, which costs less.
     void face_made() {
-        buy_work();
+        buy_work(0);
         spend(kWorkOfFace);
         hold(2 * sizeof(Mesh::Face));
     }
@@ -136,11 +136,11 @@ public:
     bool used_wavelength() const { return wavelength_.used; }
 
 private:
-    void buy_work() {
+    void buy_work(std::int64_t at_least) {
         if (!budget_.can_grow) return;
         const std::int64_t bought = std::min(budget_.for_objects, kWorkPerObject);
         budget_.for_objects -= bought;
-        budget_.work += bought;
+        budget_.work += std::max(bought, at_least);
     }
 
     // tokens (interpreter.cpp)
