@@ -8,7 +8,7 @@
 #include "grader/grade.h"
 #include "grader/mutant_run.h"
 #include "grader/summary.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {
