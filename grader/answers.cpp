@@ -3,33 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "grader/text.h"
+#include "grader/verdicts.h"
 
 namespace rays::grader {
 namespace {
 
-constexpr std::size_t kLongestLine = 4096;
-constexpr std::size_t kMostNumbers = 64;
 constexpr int kMostLosses = 4;
-
-// All of the words as numbers; false when one is none.
-bool parse_numbers(std::string_view words, std::vector<double>& numbers) {
-    std::string text(words);
-    for (const char* at = text.c_str(); *at != '\0';) {
-        if (*at == ' ') {
-            ++at;
-            continue;
-        }
-        char* end = nullptr;
-        const double value = std::strtod(at, &end);
-        if (end == at || (*end != ' ' && *end != '\0') || numbers.size() == kMostNumbers) return false;
-        numbers.push_back(value);
-        at = end;
-    }
-    return !numbers.empty();
-}
 
 std::vector<std::string_view> lines_of(std::string_view text) {
     std::vector<std::string_view> lines;
@@ -40,15 +21,6 @@ std::vector<std::string_view> lines_of(std::string_view text) {
         text.remove_prefix(end + 1);
     }
     return lines;
-}
-
-std::string how_it_ended(const Ended& e) {
-    if (e.timed_out)
-        return fmt::format("the program ran out of time ({:.1f} s of processor, {:.1f} s in all)", e.cpu_s, e.wall_s);
-    if (e.flooded) return "the program wrote more text than allowed";
-    if (e.signal) return "the program crashed: " + signal_text(e.signal);
-    if (e.exit != 0) return fmt::format("the program ended with status {}: {}", e.exit, plain(e.err));
-    return {};
 }
 
 struct Run {
@@ -90,32 +62,16 @@ void ask_one_by_one(const Sandbox& sandbox, const std::filesystem::path& program
 
 }  // namespace
 
-Answer parse_answer(std::string_view line) {
-    Answer answer;
-    answer.text = std::string(line.substr(0, kLongestLine));
-    while (!answer.text.empty() && (answer.text.back() == ' ' || answer.text.back() == '\r')) answer.text.pop_back();
-    const std::string_view text = answer.text;
-    if (text == "miss")
-        answer.kind = Answer::Kind::miss;
-    else if (text.starts_with("unfinished "))
-        answer.kind = Answer::Kind::unfinished;
-    else if (parse_numbers(text.starts_with("hit ") ? text.substr(4) : text, answer.numbers))
-        answer.kind = Answer::Kind::value;
-    else
-        answer.kind = Answer::Kind::error;
-    if (answer.kind != Answer::Kind::value) answer.numbers.clear();
-    return answer;
+std::string shown_answer(const Answer& answer, const Replies& replies, std::size_t limit) {
+    if (answer.kind != Answer::Kind::missing) return answer.text.empty() ? "an empty line" : plain(answer.text, limit);
+    if (replies.ended.timed_out) return "no answer (the program had run out of time)";
+    return replies.ended.signal ? "no answer (the program had crashed)" : "no answer";
 }
 
-std::string question_text(const std::vector<const Question*>& questions) {
-    std::string text;
-    const std::string* scene = nullptr;
-    for (const Question* q : questions) {
-        if (!scene || *scene != q->scene) text += fmt::format("scene {}\n{}", q->scene.size(), q->scene);
-        scene = &q->scene;
-        text += q->query + '\n';
-    }
-    return text;
+std::string unfinished_task(const std::vector<Answer>& answers) {
+    for (const Answer& a : answers)
+        if (a.kind == Answer::Kind::unfinished) return plain(a.text.substr(std::string("unfinished ").size()), 12);
+    return {};
 }
 
 Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const std::vector<const Question*>& questions,
@@ -133,16 +89,20 @@ Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const 
     if (run.surplus) {
         // No line can be trusted to be the answer to its question.
         replies.problem = fmt::format(
-            "more lines than the {} questions asked: does your code print to standard output?", questions.size());
+            "more lines than the {} questions asked: does your code write to descriptors that are not its own?",
+            questions.size());
         return replies;
     }
     const bool whole = run.ended.ok() && run.answers.size() == questions.size();
     std::copy(run.answers.begin(), run.answers.end(), replies.answers.begin());
     if (whole) return replies;
-    replies.problem = how_it_ended(run.ended);
-    if (replies.problem.empty())
+    if (run.ended.ok()) {
         replies.problem = fmt::format("{} answers to {} questions", run.answers.size(), questions.size());
-    if (run.ended.ok()) return replies;
+        return replies;
+    }
+    replies.problem = "the program " + how_it_ended(run.ended);
+    if (run.ended.signal && !run.ended.timed_out) replies.problem += kFindTheCrash;
+    if (run.ended.exit > 0) replies.problem += ": " + plain(run.ended.err);
     ask_one_by_one(sandbox, program, questions, limits, replies);
     return replies;
 }

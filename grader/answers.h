@@ -1,20 +1,14 @@
 // Asking a render program questions, and reading its answers as hostile text.
 #pragma once
 
+#include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "grader/questions.h"
 #include "grader/sandbox.h"
+#include "questions/exchange.h"
 
 namespace rays::grader {
-
-/// One line of a reply. "hit 1 2 3", "miss", "unfinished 1.3", "error ...", or numbers; anything else is an error.
-Answer parse_answer(std::string_view line);
-
-/// The question blocks for a render program's --answer: equal scenes in a row are sent once.
-std::string question_text(const std::vector<const Question*>& questions);
 
 struct Replies {
     std::vector<Answer> answers;  ///< one for each question; kind `missing` where none came
@@ -22,6 +16,12 @@ struct Replies {
     std::string problem;          ///< why answers are missing, for the student; empty when none is
     bool infrastructure = false;  ///< the program could not be started: nobody's wrong answer
 };
+
+/// An answer for a message; where none came, why: "no answer (the program had crashed)".
+std::string shown_answer(const Answer& answer, const Replies& replies, std::size_t limit);
+
+/// The task that the first unfinished answer names; empty when none does.
+std::string unfinished_task(const std::vector<Answer>& answers);
 
 /// Asks all of them. When the program crashes or hangs, the questions without an answer are asked once more one by
 /// one, so that a crash costs the question that caused it; after four such losses the rest counts as lost, too.

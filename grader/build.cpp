@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {
@@ -66,6 +66,11 @@ std::string value_of(const std::vector<std::string>& command, const std::string&
 void drop_with_value(std::vector<std::string>& command, const std::string& option) {
     const auto at = std::find(command.begin(), command.end(), option);
     if (at != command.end() && at + 1 != command.end()) command.erase(at, at + 2);
+}
+
+// In a UTF-8 locale the compiler's quotation marks are not ASCII, which is all that a message keeps.
+Command plain_speaking(std::vector<std::string> argv, const fs::path& folder) {
+    return {std::move(argv), {}, folder, kCompileLimits, true, {{"LC_ALL", "C"}}};
 }
 
 Built finish(const Ended& ended, const fs::path& file) {
@@ -146,7 +151,7 @@ std::vector<std::string> Builder::files_of(int step) const {
 
 Built Builder::compile(const std::string& file, const fs::path& source, const fs::path& object,
                        const std::string& optimisation) const {
-    Command command{units_.at(file).compile, {}, project_.build, kCompileLimits, true};
+    Command command = plain_speaking(units_.at(file).compile, project_.build);
     if (project_.sanitized()) command.limits.memory_mb = 0;
     std::erase_if(command.argv, [](const std::string& w) { return w.starts_with("-O"); });
     const std::string shown = fmt::format("-ffile-prefix-map={}=steps/{}", source.string(), file);
@@ -166,7 +171,7 @@ Built Builder::compile(const std::string& file, const fs::path& source, const fs
 }
 
 Built Builder::link(const std::map<std::string, fs::path>& objects, const fs::path& program) const {
-    Command command{link_, {}, project_.build, kCompileLimits, true};
+    Command command = plain_speaking(link_, project_.build);
     if (project_.sanitized()) command.limits.memory_mb = 0;
     for (const auto& [file, object] : objects)
         std::replace(command.argv.begin(), command.argv.end(), units_.at(file).solution_object, object.string());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/process.h"
+#include "support/process.h"
 #include "grader/project.h"
 
 namespace rays::grader {

@@ -12,8 +12,8 @@
 #include "grader/answers.h"
 #include "grader/course.h"
 #include "grader/fresh_scenes.h"
-#include "references/files.h"
-#include "references/sha256.h"
+#include "support/files.h"
+#include "support/sha256.h"
 
 namespace rays::grader {
 namespace {
@@ -55,15 +55,17 @@ struct Likeness {
     double own = 0, theirs = 0, both = 0;
 };
 
-Likeness likeness(const Fingerprint& student, const Fingerprint& mutant) {
-    int common = 0;
+Likeness likeness(const Fingerprint& student, const Fingerprint& mutant, const std::set<int>& unfinished) {
+    int common = 0, asked = 0;
     for (const auto& [number, answer] : mutant) {
+        if (unfinished.count(number)) continue;
+        ++asked;
         const auto found = student.find(number);
         common += found != student.end() && same(parse_answer(found->second), parse_answer(answer));
     }
-    const auto all = static_cast<double>(student.size() + mutant.size()) - common;
-    return {double(common) / double(std::max<std::size_t>(1, mutant.size())),
-            double(common) / double(std::max<std::size_t>(1, student.size())), common / std::max(1.0, all)};
+    const auto all = static_cast<double>(student.size()) + asked - common;
+    return {double(common) / std::max(1, asked), double(common) / double(std::max<std::size_t>(1, student.size())),
+            common / std::max(1.0, all)};
 }
 
 // Questions are computed: compilers and their options may move the last bits of a number, which makes no other
@@ -120,11 +122,19 @@ Fingerprint fingerprint(const std::vector<Answer>& answers, const std::vector<An
     return result;
 }
 
-std::optional<KnownMutant> nearest_mutant(const Fingerprint& student, const std::vector<KnownMutant>& mutants) {
+std::set<int> unfinished_questions(const std::vector<Answer>& answers) {
+    std::set<int> numbers;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (answers[i].kind == Answer::Kind::unfinished) numbers.insert(static_cast<int>(i));
+    return numbers;
+}
+
+std::optional<KnownMutant> nearest_mutant(const Fingerprint& student, const std::vector<KnownMutant>& mutants,
+                                          const std::set<int>& unfinished) {
     const KnownMutant* best = nullptr;
     Likeness best_likeness, second;
     for (const KnownMutant& m : mutants) {
-        const Likeness l = likeness(student, m.fingerprint);
+        const Likeness l = likeness(student, m.fingerprint, unfinished);
         if (l.both > best_likeness.both) {
             second = best_likeness;
             best_likeness = l;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ using Fingerprint = std::map<int, std::string>;
 /// Answers that did not come (unfinished, crash) are not part of it.
 Fingerprint fingerprint(const std::vector<Answer>& answers, const std::vector<Answer>& solution);
 
+/// The numbers of the questions whose task is not written yet.
+std::set<int> unfinished_questions(const std::vector<Answer>& answers);
+
 struct KnownMutant {
     std::string id, task, title, seen;
     Fingerprint fingerprint;
@@ -43,7 +47,9 @@ Fingerprints read_fingerprints(const std::filesystem::path& file);
 void write_fingerprints(const Fingerprints& fingerprints, const std::filesystem::path& file);
 
 /// The one mutant that explains the answers: it shares nine tenths of its own differences with them, half of theirs
-/// with its own, and no other mutant comes as near.
-std::optional<KnownMutant> nearest_mutant(const Fingerprint& student, const std::vector<KnownMutant>& mutants);
+/// with its own, and no other mutant comes as near. Mutants are finished programs: `unfinished` questions, to which the
+/// student has no answer yet, are left out of theirs.
+std::optional<KnownMutant> nearest_mutant(const Fingerprint& student, const std::vector<KnownMutant>& mutants,
+                                          const std::set<int>& unfinished = {});
 
 }  // namespace rays::grader

@@ -16,7 +16,7 @@
 #include "grader/submission/archive.h"
 #include "grader/submission/handed_in.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/manifest.h"
 #ifdef RAYSTEPS_REPORT
 #include "report/report.h"

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 using CheckMaker = std::function<std::vector<Check>()>;
 
-bool wrong(const Check& c) { return c.verdict == Verdict::fail || c.verdict == Verdict::partial; }
+bool wrong(const Check& c) { return !c.waits && (c.verdict == Verdict::fail || c.verdict == Verdict::partial); }
 
 std::vector<CheckMaker> task_checks(const StepOrder& order, const Task& task, const std::vector<Question>& questions,
                                     const std::vector<Sweep>& sweeps) {
@@ -46,7 +46,6 @@ std::vector<CheckMaker> task_checks(const StepOrder& order, const Task& task, co
 Check copied_as_all_mine(Check check) {
     check.id += ".all_mine";
     check.mode = "all mine";
-    check.title += " (all steps yours)";
     check.points = check.max = 0;
     return check;
 }
@@ -85,13 +84,8 @@ std::vector<Check> run_all(const std::vector<CheckMaker>& makers, int workers) {
 
 Check not_built(const std::string& id, const std::string& task, const std::string& kind, double max,
                 const std::string& message) {
-    Check check;
-    check.id = id;
-    check.task = task;
-    check.kind = kind;
-    check.title = id;
+    Check check = new_check(id, task, kind, id, max);
     check.verdict = Verdict::build_error;
-    check.max = max;
     check.message = message;
     return check;
 }
@@ -108,21 +102,38 @@ std::vector<Check> build_error_checks(const Step& step, const std::string& messa
 // A picture known by heart is no ray tracing: it counts when a fresh scene of one of its tasks comes out right, too.
 void withhold_unconfirmed_pictures(const Step& step, std::vector<Check>& checks) {
     for (const SceneTask& scene : step.scenes) {
-        int asked = 0, right = 0;
+        int right = 0;
+        std::string asked;
         for (const Check& c : checks) {
             const bool its =
                 c.kind == "fresh" && std::find(scene.tasks.begin(), scene.tasks.end(), c.task) != scene.tasks.end();
-            asked += its;
+            if (its) asked += (asked.empty() ? "" : ", ") + c.task;
             right += its && (c.verdict == Verdict::pass || c.verdict == Verdict::partial);
         }
         for (Check& c : checks) {
             if (c.kind != "image" || c.mode != "isolated" || c.verdict != Verdict::pass ||
-                c.image->scene != scene.scene || asked == 0 || right > 0)
+                c.image->scene != scene.scene || asked.empty() || right > 0)
                 continue;
             c.points = 0;
             c.verdict = Verdict::partial;
-            c.message += "; but no fresh scene of its tasks agrees with the solution, so it does not count";
+            c.waits = true;
+            c.message += fmt::format("; it does not count yet: no fresh scene of task {} is right so far", asked);
         }
+    }
+}
+
+// A fresh scene needs more than its own task. Where nothing of that is written, a crash is another function's.
+void forgive_unwritten_tasks(std::vector<Check>& checks) {
+    const auto unwritten = [&](const std::string& task) {
+        return std::any_of(checks.begin(), checks.end(), [&](const Check& c) {
+            return c.task == task && c.kind == "unit" && c.verdict == Verdict::not_started;
+        });
+    };
+    for (Check& c : checks) {
+        if (c.kind != "fresh" || (c.verdict != Verdict::crash && c.verdict != Verdict::time_out)) continue;
+        if (!unwritten(c.task)) continue;
+        c.verdict = Verdict::not_started;
+        c.message = fmt::format("task {} is not written yet, and another one stands in its way: {}", c.task, c.message);
     }
 }
 
@@ -170,26 +181,40 @@ TaskResult task_result(const StepOrder& order, const Task& task, const std::vect
     result.title = task.title;
     result.max = task.points;
     std::vector<Verdict> verdicts;
+    bool helped = false;
     for (const Check& c : checks) {
         if (c.task != task.id || c.kind == "image") continue;
         verdicts.push_back(c.verdict);
         result.points += c.points;
+        helped = helped || wrong(c) || c.verdict == Verdict::crash || c.verdict == Verdict::time_out;
     }
     result.verdict = combine(verdicts);
-    if (result.verdict != Verdict::pass && !task.hints.empty()) result.hint = task.hints.front();
+    // What only waits for other tasks needs no hint, and neither does a mistake that the compiler has named.
+    helped = helped || result.verdict == Verdict::not_started;
+    if (helped && !task.hints.empty()) result.hint = task.hints.front();
     const std::string file = order.bench.step.id + "/" + task.file;
     result.file = "steps/" + file;
     result.line = line_of(submitted_file(order.bench.project, order.submission, file), task.id);
     return result;
 }
 
+// The picture, and the rays of the pixel that is most wrong: with the same sides as in the check.
+std::string picture_command(const Check& c, int step) {
+    const ImageResult& image = *c.image;
+    const std::string view = fmt::format("--width {} --height {} --from {}", image.width, image.height,
+                                         c.mode == "isolated" ? fmt::format("student-{}", step) : "student");
+    std::string text = fmt::format("./rays render scenes/{} -o picture.png {}", image.scene, view);
+    if (image.beyond_rounding > 0)
+        text +=
+            fmt::format("\n./rays explain scenes/{} --pixel {},{} {}", image.scene, image.worst_x, image.worst_y, view);
+    return text;
+}
+
 void add_reproduce(const StepOrder& order, std::vector<Check>& checks) {
-    for (Check& c : checks) {
-        c.reproduce = fmt::format("./rays grade {} --seed {}", order.bench.step.number, order.bench.seed);
-        if (c.kind == "image" && c.image)
-            c.reproduce = fmt::format("./rays render scenes/{} -o picture.exr --from student --width {} --height {}",
-                                      c.image->scene, c.image->width, c.image->height);
-    }
+    for (Check& c : checks)
+        c.reproduce = c.kind == "image" && c.image
+                          ? picture_command(c, order.bench.step.number)
+                          : fmt::format("./rays grade {} --seed {}", order.bench.step.number, order.bench.seed);
 }
 
 }  // namespace
@@ -215,7 +240,8 @@ std::optional<KnownMutant> diagnose(const Bench& bench, const StepFingerprints& 
     for (const Question& q : questions) asked.push_back(&q);
     const Replies student = ask(bench.sandbox, bench.student, asked, bench.limits);
     const Replies solution = ask(bench.sandbox, bench.solution, asked, bench.limits);
-    return nearest_mutant(fingerprint(student.answers, solution.answers), fingerprints.mutants);
+    return nearest_mutant(fingerprint(student.answers, solution.answers), fingerprints.mutants,
+                          unfinished_questions(student.answers));
 }
 
 StepResult grade_step(const StepOrder& order) {
@@ -232,6 +258,7 @@ StepResult grade_step(const StepOrder& order) {
         for (const SceneTask& scene : step.scenes) makers.push_back([&] { return picture_checks(order, scene); });
         result.checks = run_all(makers, order.workers);
         withhold_unconfirmed_pictures(step, result.checks);
+        forgive_unwritten_tasks(result.checks);
         add_mutant(order, result.checks);
         add_hints(step, result.checks);
     }

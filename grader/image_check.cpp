@@ -11,9 +11,9 @@
 #include "grader/ray_trees.h"
 #include "grader/shoot.h"
 #include "grader/text.h"
-#include "references/files.h"
 #include "references/manifest.h"
-#include "references/sha256.h"
+#include "support/files.h"
+#include "support/sha256.h"
 
 namespace rays::grader {
 namespace {
@@ -94,10 +94,11 @@ void judge(const Viewing& v, const Shot& shot, Check& check) {
     if (c.passed) {
         check.verdict = Verdict::pass;
         check.points = check.max;
-        check.message = fmt::format(
-            "every pixel within the rounding of the reference, but {} of {} on silhouettes; largest difference "
-            "elsewhere {:.2g}",
-            c.on_silhouettes, c.pixels, c.max_error);
+        check.message = fmt::format("{} within the rounding of the reference; largest difference {:.2g}",
+                                    c.on_silhouettes == 0 ? "every pixel"
+                                                          : fmt::format("every pixel but {} of {}, on silhouettes,",
+                                                                        c.on_silhouettes, c.pixels),
+                                    c.max_error);
     } else if (!shot.unfinished.empty()) {
         check.verdict = Verdict::not_started;
         check.message = "the picture waits for task " + unfinished_text(shot.unfinished);
@@ -185,20 +186,13 @@ Check image_check(const Bench& bench, const SceneTask& scene) {
 }
 
 Check all_mine_check(const Bench& bench, const SceneTask& scene, const fs::path& all_mine) {
-    Check check = picture_check(bench, scene, all_mine, "all mine");
-    check.title += " (all steps yours)";
-    return check;
+    return picture_check(bench, scene, all_mine, "all mine");
 }
 
 bool has_fresh_scenes(const std::string& task) { return fresh_scene(task, 1).has_value(); }
 
 Check fresh_check(const Bench& bench, const Task& task, double max) {
-    Check check;
-    check.id = task.id + ".fresh";
-    check.task = task.id;
-    check.kind = "fresh";
-    check.title = task.title + ": fresh scenes";
-    check.max = max;
+    Check check = new_check(task.id + ".fresh", task.id, "fresh", task.title + ": fresh scenes", max);
     // Small pictures: 0.05 % is about one pixel, and two equally good roundings may part on more than one edge pixel.
     constexpr int kLeastAllowed = 3;
     int right = 0;

@@ -9,7 +9,7 @@
 #include "grader/mutant_run.h"
 #include "grader/submission/hand_in.h"
 #include "grader/summary.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

@@ -7,7 +7,7 @@
 #include "grader/answers.h"
 #include "grader/course.h"
 #include "grader/mutant_examination.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "grader/mutant_examination.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/in_parallel.h"
 
 namespace rays::grader {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

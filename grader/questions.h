@@ -40,7 +40,7 @@ struct Sweep {
     std::string id;  ///< "1.3.distance"
     std::string task;
     std::string title, x_label, y_label;
-    bool log_x = true, log_y = true;
+    bool log_x = true, log_y = true;    ///< a linear y axis: the share of wrong answers to yes-or-no questions
     double pass_from = 0, pass_to = 0;  ///< the stated range of x in which every question must be answered right
     std::vector<Point> points;
 };

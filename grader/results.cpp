@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {
@@ -103,14 +103,15 @@ Json json_of(const Check& c) {
 }
 
 Json json_of(const TaskResult& t) {
-    return {{"id", t.id},
-            {"title", t.title},
-            {"verdict", to_string(t.verdict)},
-            {"points", rounded(t.points)},
-            {"max", t.max},
-            {"hint", t.hint},
-            {"file", t.file},
-            {"line", t.line}};
+    Json j{{"id", t.id},
+           {"title", t.title},
+           {"verdict", to_string(t.verdict)},
+           {"points", rounded(t.points)},
+           {"max", t.max},
+           {"hint", t.hint},
+           {"file", t.file}};
+    if (t.line > 0) j["line"] = t.line;
+    return j;
 }
 
 Json json_of(const StepResult& s) {
@@ -196,7 +197,7 @@ StepResult step_of(const Json& j) {
     s.points = j.at("points"), s.max = j.at("max");
     for (const Json& t : j.at("tasks"))
         s.tasks.push_back({t.at("id"), t.at("title"), verdict_of(t.at("verdict")), t.at("points"), t.at("max"),
-                           t.at("hint"), t.at("file"), t.at("line")});
+                           t.at("hint"), t.at("file"), t.value("line", 0)});
     for (const Json& c : j.at("checks")) s.checks.push_back(check_of(c));
     return s;
 }
@@ -224,6 +225,16 @@ Results results_of(const Json& j) {
 }
 
 }  // namespace
+
+Check new_check(std::string id, std::string task, std::string kind, std::string title, double max) {
+    Check check;
+    check.id = std::move(id);
+    check.task = std::move(task);
+    check.kind = std::move(kind);
+    check.title = std::move(title);
+    check.max = max;
+    return check;
+}
 
 std::string to_string(Verdict verdict) { return kVerdicts[static_cast<std::size_t>(verdict)]; }
 

@@ -63,6 +63,7 @@ struct Check {
     std::string mode = "isolated";  ///< or "all mine"
     std::string title;
     Verdict verdict = Verdict::fail;
+    bool waits = false;  ///< nothing is wrong: what is missing waits for other tasks. Not written to the file.
     double points = 0, max = 0;
     std::string message;
     std::string reproduce;
@@ -73,12 +74,15 @@ struct Check {
     std::optional<Chart> chart;
 };
 
+/// A check that has found nothing yet.
+Check new_check(std::string id, std::string task, std::string kind, std::string title, double max);
+
 struct TaskResult {
     std::string id, title;
     Verdict verdict = Verdict::fail;
     double points = 0, max = 0;
     std::string hint, file;
-    int line = 0;
+    int line = 0;  ///< where the student has to write; 0: nobody knows, and results.json leaves it out
 };
 
 struct StepResult {

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

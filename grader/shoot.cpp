@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "references/files.h"
+#include "support/files.h"
 #include "references/scene_files.h"
 
 namespace rays::grader {

@@ -36,11 +36,17 @@ std::string wrong_checks(const StepResult& step, const std::filesystem::path& ou
         return step.checks.empty() ? std::string() : fmt::format("    {}\n", plain_lines(step.checks.front().message));
     std::string text;
     std::set<std::string> told;  // tasks whose hints were
+    std::set<std::string> begun;
+    for (const TaskResult& t : step.tasks)
+        if (t.verdict == Verdict::partial) begun.insert(t.id);
     int not_started = 0;
     for (const Check& c : step.checks) {
-        not_started += c.verdict == Verdict::not_started;
-        if (c.verdict == Verdict::pass || c.verdict == Verdict::not_started) continue;
-        text += check_lines(c, out, told.insert(c.task).second);
+        // A task that is partly right says what its rest waits for.
+        const bool waits = c.verdict == Verdict::not_started;
+        const bool asked_for = waits && c.kind != "image" && begun.count(c.task) != 0;
+        not_started += waits && !asked_for;
+        if (asked_for) text += check_lines(c, out, false);
+        if (c.verdict != Verdict::pass && !waits) text += check_lines(c, out, told.insert(c.task).second);
     }
     if (not_started) text += fmt::format("    {} checks wait for tasks that are not started\n", not_started);
     return text;
@@ -96,6 +102,8 @@ std::string summary(const Results& r, const std::filesystem::path& out) {
     if (!r.rubric.empty()) text += rubric_text(r) + "\n";
     if (!r.infrastructure_error.empty())
         text += "INFRASTRUCTURE ERROR, this is no grade: " + plain(r.infrastructure_error, 600) + "\n";
+    if (r.real == "float")
+        text += "Built with RAYSTEPS_REAL=float: exact pictures and full marks are promised for double only.\n";
     text += fmt::format("Score: {} of {} points that can be graded today{}; seed {}, {:.1f} s, sandbox tier \"{}\"{}\n",
                         points(r.points), points(r.max), r.extra > 0 ? fmt::format(", and {} extra", points(r.extra)) : "",
                         r.seed, r.seconds, r.sandbox_tier, r.complete ? "" : "; PARTIAL RESULT");

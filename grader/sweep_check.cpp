@@ -6,7 +6,6 @@
 
 #include "grader/answers.h"
 #include "grader/checks.h"
-#include "grader/text.h"
 
 namespace rays::grader {
 namespace {
@@ -17,7 +16,8 @@ constexpr double kNoError = 1e-18;
 /// One program's way through a sweep.
 struct Line {
     ChartSeries series;
-    int right = 0, counted = 0;  ///< points within the stated range
+    int right = 0, counted = 0;     ///< points within the stated range
+    int wrong = 0, unfinished = 0;  ///< answers within it
     std::string first_wrong;
 };
 
@@ -32,21 +32,37 @@ std::vector<const Question*> questions_of(const Sweep& sweep) {
     return questions;
 }
 
-// `answers` begins with the answers to this point's questions.
-void add_point(Line& line, const Sweep& sweep, const Sweep::Point& point, const Answer* answers) {
-    double worst = 0;
+// Over decades the worst answer counts. A linear axis holds yes-or-no questions, of which it shows the share of wrong
+// answers.
+double charted(const Sweep& sweep, const std::vector<double>& errors) {
+    double worst = 0, sum = 0;
+    for (const double e : errors) {
+        worst = std::isfinite(e) ? std::max(worst, e) : INFINITY;
+        if (!std::isfinite(worst)) return INFINITY;
+        sum += e;
+    }
+    if (sweep.log_y) return std::max(worst, kNoError);
+    return errors.empty() ? 0 : sum / static_cast<double>(errors.size());
+}
+
+// The answers to this point's questions begin at `at`.
+void add_point(Line& line, const Sweep& sweep, const Sweep::Point& point, const Replies& replies, std::size_t at) {
+    std::vector<double> errors;
     bool good = true;
     for (const Question& q : point.questions) {
-        const Answer& answer = *answers++;
+        const Answer& answer = replies.answers[at++];
         const Judgement j = q.judge(answer);
-        worst = std::isfinite(j.error) ? std::max(worst, j.error) : INFINITY;
-        if (!j.ok && good && in_range(sweep, point) && line.first_wrong.empty())
-            line.first_wrong = fmt::format("first at {} = {:.3g}: expected {}, got {}", sweep.x_label, point.x,
-                                           j.expected, plain(answer.text, 120));
+        errors.push_back(j.error);
         good = good && j.ok;
+        if (j.ok || !in_range(sweep, point)) continue;
+        const bool waits = answer.kind == Answer::Kind::unfinished;
+        ++(waits ? line.unfinished : line.wrong);
+        if (!waits && line.first_wrong.empty())
+            line.first_wrong = fmt::format("first at {} = {:.3g}: expected {}, got {}", sweep.x_label, point.x,
+                                           j.expected, shown_answer(answer, replies, 120));
     }
-    const double shown = sweep.log_y ? std::max(worst, kNoError) : worst;
-    line.series.points.emplace_back(point.x, std::isfinite(worst) ? std::optional(shown) : std::nullopt);
+    const double shown = charted(sweep, errors);
+    line.series.points.emplace_back(point.x, std::isfinite(shown) ? std::optional(shown) : std::nullopt);
     if (!in_range(sweep, point)) return;
     ++line.counted;
     line.right += good;
@@ -57,34 +73,25 @@ Line line_of(const Sweep& sweep, const Replies& replies, const char* role) {
     line.series.name = line.series.role = role;
     std::size_t at = 0;
     for (const Sweep::Point& p : sweep.points) {
-        add_point(line, sweep, p, replies.answers.data() + at);
+        add_point(line, sweep, p, replies, at);
         at += p.questions.size();
     }
     return line;
 }
 
-bool all_unfinished(const Replies& replies) {
-    return std::all_of(replies.answers.begin(), replies.answers.end(),
-                       [](const Answer& a) { return a.kind == Answer::Kind::unfinished; });
-}
-
 Verdict verdict_of(const Line& line, const Replies& replies) {
     if (line.counted > 0 && line.right == line.counted) return Verdict::pass;
-    if (all_unfinished(replies)) return Verdict::not_started;
     const bool missing = std::any_of(replies.answers.begin(), replies.answers.end(),
                                      [](const Answer& a) { return a.kind == Answer::Kind::missing; });
     if (missing && replies.ended.timed_out) return Verdict::time_out;
     if (missing && replies.ended.signal) return Verdict::crash;
+    // Where the method is not needed (a transform that is the identity, say) an unwritten task is right by luck.
+    if (line.unfinished > 0 && line.wrong == 0 && 2 * line.right <= line.counted) return Verdict::not_started;
     return 2 * line.right > line.counted ? Verdict::partial : Verdict::fail;
 }
 
 Check empty_check(const Sweep& sweep, double max) {
-    Check check;
-    check.id = sweep.id;
-    check.task = sweep.task;
-    check.kind = "stability";
-    check.title = sweep.title;
-    check.max = max;
+    Check check = new_check(sweep.id, sweep.task, "stability", sweep.title, max);
     check.chart =
         Chart{sweep.title, sweep.x_label, sweep.y_label, sweep.log_x, sweep.log_y, sweep.pass_from, sweep.pass_to, {}};
     return check;
@@ -109,13 +116,14 @@ Check sweep_check(const Bench& bench, const Sweep& sweep, const std::vector<Char
     check.chart->series.push_back(line.series);
     check.chart->series.insert(check.chart->series.end(), naive.begin(), naive.end());
     check.verdict = verdict_of(line, student);
+    check.waits = line.unfinished > 0 && line.wrong == 0;
     check.points = line.counted ? points_for(double(line.right) / line.counted, max) : 0;
     check.message = fmt::format("right at {} of {} points from {:.3g} to {:.3g}", line.right, line.counted,
                                 sweep.pass_from, sweep.pass_to);
-    if (check.verdict == Verdict::not_started)
-        check.message += "; the task is not written yet";
-    else if (!line.first_wrong.empty())
-        check.message += "; " + line.first_wrong;
+    if (line.unfinished > 0)
+        check.message +=
+            fmt::format("; {} answers wait for task {}", line.unfinished, unfinished_task(student.answers));
+    if (!line.first_wrong.empty()) check.message += "; " + line.first_wrong;
     if (!student.problem.empty()) check.message += "; " + student.problem;
     return check;
 }

@@ -10,14 +10,13 @@
 namespace rays::grader {
 
 std::optional<Finding> against_run(const Ended& e) {
-    if (!e.started) return Finding{Verdict::infrastructure_error, e.problem};
-    if (e.timed_out)
-        return Finding{Verdict::time_out,
-                       fmt::format("stopped after {:.1f} s ({:.1f} s of processor time)", e.wall_s, e.cpu_s)};
-    if (e.flooded) return Finding{Verdict::fail, "stopped: it printed more text than allowed"};
-    if (e.signal) return Finding{Verdict::crash, "crashed: " + signal_text(e.signal)};
-    if (e.exit != 0) return Finding{Verdict::fail, fmt::format("ended with status {}: {}", e.exit, plain(e.err))};
-    return {};
+    if (e.ok()) return {};
+    const std::string how = how_it_ended(e);
+    if (!e.started) return Finding{Verdict::infrastructure_error, how};
+    if (e.timed_out) return Finding{Verdict::time_out, how};
+    if (e.flooded) return Finding{Verdict::fail, how};
+    if (e.signal) return Finding{Verdict::crash, how + kFindTheCrash};
+    return Finding{Verdict::fail, how + ": " + plain(e.err)};
 }
 
 std::vector<UnfinishedPlace> unfinished_places(const std::string& stats) {

@@ -5,10 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "grader/process.h"
 #include "grader/results.h"
+#include "support/process.h"
 
 namespace rays::grader {
+
+/// What every message about a crash ends with.
+inline constexpr const char* kFindTheCrash = "; build with the debug preset to see the line: steps/README.md";
 
 struct Finding {
     Verdict verdict;

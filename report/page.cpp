@@ -16,10 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kStyles[] = {"base.css", "layout.css", "checks.css", "pictures.css", "print.css"};
+const char* const kStyles[] = {"base.css", "layout.css", "checks.css", "pictures.css", "charts.css", "print.css"};
 // In this order: each builds on those before it.
 const char* const kScripts[] = {"dom.js",      "words.js",  "data.js",  "colors.js", "pixels.js",
-                                "picture.js",  "viewer.js", "chart.js", "trees.js",  "check.js",
+                                "picture.js",  "viewer.js", "axes.js",  "chart.js",  "marks.js",
+                                "scatter.js",  "ratios.js", "speed.js", "trees.js",  "check.js",
                                 "overview.js", "steps.js",  "theme.js", "main.js"};
 
 std::string read_text(const fs::path& file, const std::string& what_next) {

@@ -35,21 +35,43 @@ constexpr int kMantissas[] = {13, 12, 11, 10};
 /// What these three bits are worth in the page for 160 x 120 pixels, at most.
 constexpr std::size_t kBytesBetween = 30'000;
 
-json read_results(const fs::path& file) {
+/// An object of this schema, whatever else it holds. `how` says which command writes such a file.
+json read_object(const fs::path& file, const std::string& wanted, const std::string& how) {
     std::error_code error;
     const auto size = fs::file_size(file, error);
-    if (error) throw InputError(file.string() + ": cannot be read (" + error.message() + "); run './rays grade' first");
-    if (size > kMaxInput) throw InputError(file.string() + ": larger than 256 MB, so not a result of the grader");
+    if (error)
+        throw InputError(fmt::format("{}: cannot be read ({}); run '{}' first", file.string(), error.message(), how));
+    if (size > kMaxInput) throw InputError(file.string() + ": larger than 256 MB, so not what '" + how + "' writes");
     std::ifstream in(file, std::ios::binary);
     const auto shallow = [](int depth, json::parse_event_t, json&) { return depth <= kMaxDepth; };
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    json results = json::parse(report::valid_utf8(text), shallow, false);
-    if (results.is_discarded() || !results.is_object())
-        throw InputError(file.string() + ": not JSON; grade again, and look at what wrote it");
-    const std::string schema = results.value("schema", json()).is_string() ? results["schema"].get<std::string>() : "";
-    if (schema.rfind("raysteps-results/1", 0) != 0)
-        throw InputError(fmt::format("{}: the schema is '{}', this program reads raysteps-results/1", file.string(),
-                                     report::harmless(schema, 100)));
+    json object = json::parse(report::valid_utf8(text), shallow, false);
+    if (object.is_discarded() || !object.is_object())
+        throw InputError(fmt::format("{}: not JSON; run '{}' again, and look at what wrote it", file.string(), how));
+    const std::string schema = object.value("schema", json()).is_string() ? object["schema"].get<std::string>() : "";
+    if (schema.rfind(wanted, 0) != 0)
+        throw InputError(fmt::format("{}: the schema is '{}', this program reads {}", file.string(),
+                                     report::harmless(schema, 100), wanted));
+    return object;
+}
+
+/// What ./rays chart measured, for the page's section on speed. A file that cannot be used becomes a notice there: it
+/// must not cost anybody the report of a grade.
+json read_charts(const fs::path& file) {
+    try {
+        return read_object(file, "raysteps-charts/1", "./rays chart");
+    } catch (const InputError& e) {
+        return {{"problem", e.what()}};
+    }
+}
+
+/// The results, with the charts that stand beside them as "measured". Charts alone make a page, too.
+json read_results(const fs::path& file) {
+    const fs::path charts = file.parent_path() / "charts.json";
+    json results = !fs::exists(file) && fs::exists(charts) ? json{{"schema", "raysteps-results/1"}}
+                                                           : read_object(file, "raysteps-results/1", "./rays grade");
+    results.erase("measured");
+    if (fs::exists(charts)) results["measured"] = read_charts(charts);
     return results;
 }
 

@@ -7,16 +7,6 @@
 
 namespace rays::grader::construct {
 
-L Dice::between(double low, double high) {
-    return low + (high - low) * (0x1p-53 * static_cast<double>(engine_() >> 11));
-}
-
-L Dice::round_between(double low, double high) { return rounded(std::round(between(low, high) * 1000) / 1000); }
-
-int Dice::whole(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-}
-
 V Dice::unit() {
     for (;;) {
         const V v(between(-1, 1), between(-1, 1), between(-1, 1));

@@ -6,13 +6,12 @@
 
 #include <glm/glm.hpp>
 
-#include <cstdint>
 #include <functional>
-#include <random>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "questions.h"
+#include "questions/dice.h"
+#include "questions/notebook.h"
 
 namespace rays::grader::construct {
 
@@ -23,21 +22,15 @@ using V2 = glm::vec<2, L>;
 inline constexpr L kPi = 3.14159265358979323846264338327950288L;
 inline constexpr double kFar = 1e30;
 
-/// Random numbers of a seed, the same on every machine; all are doubles.
-class Dice {
+/// Dice for long double: every number is a double all the same.
+class Dice : public BasicDice {
 public:
-    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+    using BasicDice::BasicDice;
 
-    L between(double low, double high);
-    /// Three decimals, as one would write in a scene.
-    L round_between(double low, double high);
-    int whole(int low, int high);  ///< both ends included
-    bool coin() { return whole(0, 1) == 1; }
+    L between(double low, double high) { return BasicDice::between(low, high); }
+    L round_between(double low, double high) { return BasicDice::round_between(low, high); }
     V unit();
     V position(double reach);  ///< three decimals
-
-private:
-    std::mt19937_64 engine_;
 };
 
 /// The nearest double.
@@ -74,8 +67,6 @@ std::string nearest_query(const Shot& shot, L t_min = 0, L t_max = kFar);
 // ---- Judges
 // ----------------------------------------------------------------------------------------------------------
 
-using Judge = std::function<Judgement(const Answer&)>;
-
 /// Every formula in double errs by less than 1e-9 at the distances of these questions, float ones by 1e-5; a student's
 /// mistake errs by 1e-2. In lengths of the scene, relative to 1 + distance.
 inline constexpr double kLength = 1e-6;
@@ -94,23 +85,14 @@ Judge says(bool truth);
 /// The hit's distance from a surface: any root on the right surface is right. `off_surface` gives a length.
 Judge lands_on(const Shot& shot, std::function<L(const V&)> off_surface, L tolerance);
 
-/// Takes down questions of one task.
-class Notebook {
+/// Takes down questions of one task, most of them about rays and one object.
+class Notebook : public BasicNotebook {
 public:
-    explicit Notebook(std::string task) : task_(std::move(task)) {}
+    using BasicNotebook::BasicNotebook;
 
-    void scene(std::string sdl) { scene_ = std::move(sdl); }
-    void objects(const std::string& sdl) { scene_ = scene_of(sdl); }
-    void ask(std::string query, std::string about, Judge judge) {
-        questions_.push_back({task_, scene_, std::move(query), std::move(about), std::move(judge)});
-    }
+    void objects(const std::string& sdl) { scene(scene_of(sdl)); }
     void root(const Shot& shot, std::string about) { ask(root_query(shot), std::move(about), hits(shot)); }
     void miss(const Shot& shot, std::string about) { ask(root_query(shot), std::move(about), misses_it()); }
-    std::vector<Question> take() { return std::move(questions_); }
-
-private:
-    std::string task_, scene_;
-    std::vector<Question> questions_;
 };
 
 }  // namespace rays::grader::construct

@@ -1,9 +1,10 @@
-// Questions of task 1.6. Shapes are drawn on squared paper, where it is plain to see which points are inside.
+// Questions of task 1.6.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "questions/squared_paper.h"
 #include "questions/step_1.h"
 
 namespace rays::grader::step_1 {
@@ -18,9 +19,17 @@ struct Sample {
 
 struct Drawing {
     const char* name;
-    std::vector<std::vector<V2>> contours;
+    std::vector<Contour> contours;
     std::vector<Sample> samples;
 };
+
+/// A comb with a point in the middle of an edge and one point twice.
+Contour stumbling_comb() {
+    Contour contour = comb();
+    contour.insert(contour.begin() + 1, V2(1, 0));
+    contour.insert(std::find(contour.begin(), contour.end(), V2(4, 1)), V2(4, 1));
+    return contour;
+}
 
 std::vector<Drawing> drawings() {
     const auto star = [](int i) { return V2(std::sin(i * 0.8L * kPi), std::cos(i * 0.8L * kPi)); };
@@ -64,24 +73,7 @@ std::vector<Drawing> drawings() {
           {{0, 0.7L}, true, "in the upper tip"},
           {{0, -0.6L}, false, "between the lower tips"}}},
         {"a comb, first three points in a line, one point twice",
-         {{{0, 0},
-           {1, 0},
-           {7, 0},
-           {7, 3},
-           {6, 3},
-           {6, 1},
-           {5, 1},
-           {5, 3},
-           {4, 3},
-           {4, 1},
-           {4, 1},
-           {3, 1},
-           {3, 3},
-           {2, 3},
-           {2, 1},
-           {1, 1},
-           {1, 3},
-           {0, 3}}},
+         {stumbling_comb()},
          {{{0.5L, 2}, true, "in the first tooth"},
           {{1.5L, 2}, false, "in the first gap"},
           {{4.5L, 2}, true, "in the third tooth"},
@@ -91,33 +83,13 @@ std::vector<Drawing> drawings() {
     };
 }
 
-/// Squared paper in space: p(x, y) = origin + x right + y up.
-struct Paper {
-    V origin, right, up;
-    V at(const V2& p) const { return origin + p.x * right + p.y * up; }
-    V normal() const { return glm::normalize(glm::cross(right, up)); }
-};
-
-/// Exactly in an axis plane, where always dropping z would draw nothing; then tilted ones.
+/// Exactly across an axis; or tilted.
 Paper any_paper(Dice& dice, int kind) {
-    Paper paper{dice.position(2), V(0), V(0)};
-    if (kind < 3) {
-        paper.right[(kind + 1) % 3] = 1;
-        paper.up[(kind + 2) % 3] = 1;
-    } else {
-        frame(dice.unit(), paper.right, paper.up);
-    }
+    const V origin = dice.position(2);
+    if (kind < 3) return paper_across(kind, origin);
+    Paper paper{origin};
+    frame(dice.unit(), paper.right, paper.up);
     return paper;
-}
-
-std::string text(const Drawing& drawing, const Paper& paper) {
-    std::size_t count = 0;
-    std::string points;
-    for (const auto& contour : drawing.contours) {
-        for (std::size_t i = 0; i <= contour.size(); ++i, ++count)  // POV-Ray closes a contour by its first point
-            points += ", " + vector(rounded(paper.at(contour[i % contour.size()])));
-    }
-    return fmt::format("polygon {{ {}{} }}\n", count, points);
 }
 
 }  // namespace
@@ -129,7 +101,7 @@ std::vector<Question> polygons(std::uint64_t seed) {
     for (int round = 0; round < 2; ++round) {
         for (const Drawing& drawing : drawings()) {
             const Paper paper = any_paper(dice, round == 0 ? kind++ % 3 : 3);
-            book.objects(text(drawing, paper));
+            book.objects(polygon_text(drawing.contours, paper));
             for (const Sample& sample : drawing.samples) {
                 // Straight on in axis planes: then the hit is on a level with corners to the last digit.
                 V d = round == 0 ? paper.normal() : dice.unit();

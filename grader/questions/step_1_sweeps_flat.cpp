@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "questions/squared_paper.h"
 #include "questions/step_1_sweeps.h"
 
 namespace rays::grader::step_1 {
@@ -47,37 +48,10 @@ void triangle_edges(Notebook& book, Dice& dice, L x) {
 
 /// A comb; the half line of the crossings test runs past many of its corners, x above or below.
 void polygon_corners(Notebook& book, Dice& dice, L x) {
-    const int axis = dice.whole(0, 2);
-    const auto at = [&](L u, L v) {
-        V p(0);
-        p[(axis + 1) % 3] = u;
-        p[(axis + 2) % 3] = v;
-        return p;
-    };
-    std::string points;
-    int count = 0;
-    for (const auto [u, v] : std::array<std::array<int, 2>, 17>{{{0, 0},
-                                                                 {7, 0},
-                                                                 {7, 3},
-                                                                 {6, 3},
-                                                                 {6, 1},
-                                                                 {5, 1},
-                                                                 {5, 3},
-                                                                 {4, 3},
-                                                                 {4, 1},
-                                                                 {3, 1},
-                                                                 {3, 3},
-                                                                 {2, 3},
-                                                                 {2, 1},
-                                                                 {1, 1},
-                                                                 {1, 3},
-                                                                 {0, 3},
-                                                                 {0, 0}}}) {
-        points += ", " + vector(at(u, v));
-        ++count;
-    }
-    book.objects(fmt::format("polygon {{ {}{} }}\n", count, points));
-    const V straight = at(0, 0) + (axis == 0 ? V(1, 0, 0) : axis == 1 ? V(0, 1, 0) : V(0, 0, 1));
+    const Paper paper = paper_across(dice.whole(0, 2));
+    book.objects(polygon_text({comb()}, paper));
+    const auto at = [&](L u, L v) { return paper.at({u, v}); };
+    const V straight = paper.normal();
     for (const L u : {0.5L, 2.5L, 4.5L, 6.5L}) {
         book.root(aim(at(u, 1 + x), straight, 3), "in a tooth, just above the level of the corners");
         book.root(aim(at(u, 1 - x), straight, 3), "under a tooth, just below the level of the corners");

@@ -8,11 +8,11 @@
 
 #include <cstdint>
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "questions.h"
+#include "questions/dice.h"
+#include "questions/notebook.h"
 
 namespace rays::grader::step_2 {
 
@@ -21,21 +21,15 @@ using V = glm::dvec3;
 inline constexpr double kPi = std::numbers::pi;
 inline double radians(double degrees) { return degrees * kPi / 180; }
 
-/// Random numbers of a seed, the same on every machine.
-class Dice {
-public:
-    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+using Notebook = BasicNotebook;
 
-    double between(double low, double high);
-    /// A round number (three decimals), so that scenes are easy to read and exact in every reader.
-    double round_between(double low, double high);
-    int whole(int low, int high);  ///< both ends included
+class Dice : public BasicDice {
+public:
+    using BasicDice::BasicDice;
+
     V unit();
     V color();                 ///< every channel in [0.05, 1], three decimals
     V position(double reach);  ///< every coordinate in [-reach, reach], three decimals
-
-private:
-    std::mt19937_64 engine_;
 };
 
 /// Some unit vector at a right angle to n, of length 1.
@@ -69,7 +63,6 @@ inline constexpr Tolerance kLight{1e-4, 1e-6};
 /// Directions and factors in float arithmetic: some rounding errors of 6e-8.
 inline constexpr Tolerance kGeometry{2e-6, 2e-6};
 
-using Judge = std::function<Judgement(const Answer&)>;
 Judge close_to(const V& truth, Tolerance tolerance = kLight);
 Judge close_to(double truth, Tolerance tolerance);
 Judge says(bool truth);
@@ -103,23 +96,8 @@ struct Lamp {
     V towards(const V& point) const { return glm::normalize(location - point); }
 };
 
-// ---- Collecting -----------------------------------------------------------------------------------------------------
-
-/// Takes down questions of one task about one scene after another.
-class Notebook {
-public:
-    explicit Notebook(std::string task) : task_(std::move(task)) {}
-
-    void scene(std::string sdl) { scene_ = std::move(sdl); }
-    void ask(std::string query, std::string about, Judge judge) {
-        questions_.push_back({task_, scene_, std::move(query), std::move(about), std::move(judge)});
-    }
-    std::vector<Question> take() { return std::move(questions_); }
-
-private:
-    std::string task_, scene_;
-    std::vector<Question> questions_;
-};
+// ---- The questions, by task
+// ------------------------------------------------------------------------------------------
 
 std::vector<Question> pigments(std::uint64_t seed);       // 2.1
 std::vector<Question> ambients(std::uint64_t seed);       // 2.2

@@ -12,8 +12,8 @@ namespace {
 /// What a sweep calls right: the resolution of the half floats that references are kept in. Relative only.
 constexpr Tolerance kHalfFloat{5e-4, 1e-30};
 
-/// Yes-or-no questions have no error to draw: 1 where an answer is wrong, else 0.
-const char* const kAnyWrong = "some answer wrong: 1, none: 0";
+/// Yes-or-no questions have no error to draw, but a rate of acne and leaks.
+const char* const kShareWrong = "share of wrong answers";
 
 std::vector<double> decades(double first, double last) {
     std::vector<double> values;
@@ -153,7 +153,7 @@ void ask_acne_and_leaks(Notebook& notes, Dice& dice, double size, const V& cente
 }
 
 Sweep shadows_by_scale(Dice dice) {
-    Sweep sweep = named("2.9.scale", "Acne and leaks in scenes of all sizes", "radius of the sphere", kAnyWrong);
+    Sweep sweep = named("2.9.scale", "Acne and leaks in scenes of all sizes", "radius of the sphere", kShareWrong);
     sweep.log_y = false;
     sweep.pass_from = 0.1;  // POV-Ray's tolerance is 0.001 of a unit, whatever the scene's size: beads must be larger
     sweep.pass_to = 1e6;
@@ -162,7 +162,7 @@ Sweep shadows_by_scale(Dice dice) {
 }
 
 Sweep shadows_by_translation(Dice dice) {
-    Sweep sweep = named("2.9.translation", "Acne and leaks far from the origin", "distance from the origin", kAnyWrong);
+    Sweep sweep = named("2.9.translation", "Acne and leaks far from the origin", "distance from the origin", kShareWrong);
     sweep.log_y = false;
     sweep.pass_from = 1;
     sweep.pass_to = 1e7;
@@ -172,7 +172,7 @@ Sweep shadows_by_translation(Dice dice) {
 }
 
 Sweep shadows_at_grazing_light(Dice dice) {
-    Sweep sweep = named("2.9.grazing", "Acne where the light grazes a sphere", "n . l", kAnyWrong);
+    Sweep sweep = named("2.9.grazing", "Acne where the light grazes a sphere", "n . l", kShareWrong);
     sweep.log_y = false;
     sweep.pass_from = 1e-9;
     sweep.pass_to = 1;

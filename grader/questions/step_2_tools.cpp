@@ -8,13 +8,6 @@
 
 namespace rays::grader::step_2 {
 
-double Dice::between(double low, double high) {
-    // Not std::uniform_real_distribution: its numbers depend on the library.
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-}
-double Dice::round_between(double low, double high) { return std::round(between(low, high) * 1000) / 1000; }
-int Dice::whole(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
-
 V Dice::unit() {
     const double z = between(-1, 1), turn = between(0, 2 * kPi), r = std::sqrt(1 - z * z);
     return glm::normalize(V(r * std::cos(turn), r * std::sin(turn), z));

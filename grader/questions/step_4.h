@@ -11,7 +11,6 @@
 namespace rays::grader::step_4 {
 
 using construct::Dice;
-using construct::Judge;
 using construct::L;
 using construct::Notebook;
 using construct::V;

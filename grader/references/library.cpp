@@ -6,9 +6,9 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/scene_files.h"
-#include "references/sha256.h"
+#include "support/sha256.h"
 
 namespace rays {
 namespace fs = std::filesystem;

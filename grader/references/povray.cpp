@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "core/error.h"
-#include "references/files.h"
-#include "references/process.h"
+#include "support/files.h"
+#include "support/process.h"
 
 namespace rays {
 namespace fs = std::filesystem;
@@ -71,15 +71,12 @@ std::vector<std::string> messages(const std::string& output) {
 /// Runs POV-Ray and returns what it said.
 std::string run(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& folder,
                 const fs::path& home, double seconds, const std::string& what) {
-    const ProcessOrder order{.program = program,
-                             .arguments = arguments,
-                             .folder = folder,
-                             .environment = {{"HOME", home.string()}},
-                             .output = home / "output.txt",
-                             .seconds = seconds};
-    const ProcessEnd end = run_process(order);
-    const std::string output = read_file(order.output);
-    if (!end.good()) fail(what, end.describe(order), output);
+    Command command{{program.string()}, {}, folder, only_time(seconds), true, {{"HOME", home.string()}}};
+    command.argv.insert(command.argv.end(), arguments.begin(), arguments.end());
+    const Ended ended = run_command(command);
+    if (!ended.started) throw InputError(ended.problem);
+    const std::string output = ended.out + ended.err;
+    if (!ended.ok()) fail(what, "it " + how_it_ended(ended), output);
     return output;
 }
 

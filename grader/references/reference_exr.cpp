@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/reference.h"
 
 namespace rays {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays {
 namespace fs = std::filesystem;

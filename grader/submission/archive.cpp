@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "grader/submission/safe_path.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

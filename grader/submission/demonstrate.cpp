@@ -12,7 +12,7 @@
 #include "grader/submission/looks.h"
 #include "grader/submission/safe_path.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

@@ -1,6 +1,4 @@
 // A sweep: error over a parameter. Where a program failed there is a cross at the top.
-R.charts = [];
-
 R.chart = (chart, title) => {
     const series = R.list(chart.series).map(R.object).map((s) => ({
         name: R.text(s.name), role: ["solution", "student", "naive"].includes(s.role) ? s.role : "naive",
@@ -11,11 +9,10 @@ R.chart = (chart, title) => {
     const positive = series.flatMap((s) => [...s.points.values()]).filter((y) => y !== null && (!logY || y > 0));
     if (xs.length === 0) return R.h("p", {class: "message", text: "The sweep has no points."});
 
-    const decade = (v, round) => 10 ** round(Math.log10(v));
     // An exact answer has error 0, which no logarithm shows: it lies on the floor, one decade below the least error.
     const low = positive.length ? Math.min(...positive) : logY ? 1e-16 : 0, high = positive.length ? Math.max(...positive) : 1;
-    const floor = logY ? decade(low, Math.floor) / 10 : Math.min(0, low);
-    const ceiling = logY ? Math.max(decade(high, Math.ceil) * 100, floor * 1e3) : high * 1.1 || 1;
+    const floor = logY ? R.decade(low, Math.floor) / 10 : Math.min(0, low);
+    const ceiling = logY ? Math.max(R.decade(high, Math.ceil) * 100, floor * 1e3) : high * 1.1 || 1;
     const ys = series.map((s) => xs.map((x) => !s.points.has(x) ? undefined : s.points.get(x) === null ? null : Math.max(floor, s.points.get(x))));
     const left = logX ? xs[0] / 1.5 : xs[0], right = logX ? xs.at(-1) * 1.5 : xs.at(-1);
 
@@ -60,20 +57,8 @@ R.chartTable = (chart, series, xs) =>
                 ...series.map((s) => R.h("td", {text: !s.points.has(x) ? "–" : s.points.get(x) === null ? "failed" : R.number(s.points.get(x))}))))))));
 
 R.chartOptions = ({chart, series, xs, ys, logX, logY, x, y, width, readAt}) => {
-    const ink = R.color("--ink-2"), grid = R.color("--grid"), range = R.color("--range"), paper = R.color("--panel");
-    const font = `12px ${getComputedStyle(document.body).fontFamily}`;
+    const ink = R.color("--ink-2"), range = R.color("--range"), paper = R.color("--panel");
     const color = (role) => R.color(`--series-${role}`);
-    const tenPower = (v) => (v >= 0.01 && v <= 1000 ? R.number(v, 2) : `10${R.superscript(Math.round(Math.log10(v)))}`);
-    const splits = (log) => (log ? (u, i, min, max) => {
-        const from = Math.ceil(Math.log10(min) - 1e-9), to = Math.floor(Math.log10(max) + 1e-9);
-        const stride = Math.max(1, Math.ceil((to - from) / 8));
-        const list = [];
-        for (let e = from; e <= to; e += stride) list.push(10 ** e);
-        return list;
-    } : undefined);
-    const axis = (label, log, size) => ({label, labelFont: font, font, stroke: ink, size, labelSize: 22, gap: 4, grid: {stroke: grid, width: 1}, ticks: {show: false},
-        ...(log ? {splits: splits(true), filter: (u, list) => list, values: (u, list) => list.map(tenPower)} : {values: (u, list) => list.map((v) => R.number(v))})});
-
     const shadeRange = (u) => {
         if (!R.isNumber(chart.pass_from) || !R.isNumber(chart.pass_to)) return;
         const {ctx, bbox} = u;
@@ -111,7 +96,7 @@ R.chartOptions = ({chart, series, xs, ys, logX, logY, x, y, width, readAt}) => {
         width, height: Math.max(220, Math.min(320, Math.round(width * 0.55))), legend: {show: false}, padding: [10, 12, 0, 0],
         cursor: {drag: {x: false, y: false}, points: {size: 9}},
         scales: {x: {time: false, distr: logX ? 3 : 1, range: x}, y: {distr: logY ? 3 : 1, range: y}},
-        axes: [axis(R.text(chart.x_label), logX, 34), axis(R.text(chart.y_label), logY, 58)],
+        axes: [R.plotAxis(R.text(chart.x_label), logX, 34), R.plotAxis(R.text(chart.y_label), logY, 58)],
         series: [{}, ...series.map((s) => ({label: s.name, stroke: color(s.role), ...look[s.role], spanGaps: false,
             points: {show: true, fill: s.role === "solution" ? paper : color(s.role), stroke: color(s.role), ...look[s.role].points}}))],
         hooks: {drawClear: [shadeRange], draw: [crossFailures], setCursor: [(u) => readAt(u.cursor.idx ?? null)]},

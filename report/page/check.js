@@ -5,11 +5,11 @@ R.checkArticle = (step, check) => {
     const scene = check.image ? R.pictureScene(check) : null;
     const more = R.h("div", {class: "more", id: `${check.anchor}-more`});
     const left = scene && R.h("div", {class: "view-left"}, R.comparison(scene, check.title));
-    const views = scene && R.h("div", {class: "views"}, left);
+    const views = scene && R.h("div", {class: check.image.embedded?.student ? "views" : "views alone"}, left);
     const article = R.h("article", {class: "check", id: check.anchor, "data-tone": check.tone, "data-state": good ? "pass" : "open", "aria-labelledby": `${check.anchor}-title`});
     const build = () => {
         if (more.hasChildNodes()) return;
-        if (scene) {
+        if (check.image?.embedded?.student) {
             left.append(R.h("div", {class: "look"}, R.pictureControls(scene), R.inspector(scene)));
             if (R.hasBoth(check.image)) views.append(R.errorMap(scene, check.title));
         }
@@ -52,13 +52,14 @@ R.expanders = [];
 R.isUrgent = (check) => check.tone === "bad" || check.tone === "mixed";
 
 R.pictureFacts = (image) => {
+    const notes = R.list(image.embedded?.notes).map((note) => R.h("p", {class: "note", text: R.text(note)}));
+    if (!R.wasCompared(image)) return R.h("div", {class: "facts"}, ...notes);
     const share = R.isNumber(image.beyond_rounding) && R.isNumber(image.pixels) && image.pixels > 0 ? ` (${R.number(100 * image.beyond_rounding / image.pixels, 2)} %)` : "";
     const facts = [["pixels beyond rounding", R.isNumber(image.beyond_rounding) ? `${image.beyond_rounding}${share}` : null],
                    ["of these on silhouettes", R.isNumber(image.on_silhouettes) ? String(image.on_silhouettes) : null],
                    ["largest error", "max_error" in image ? R.number(image.max_error) : null],
                    ["RMSE", "rmse" in image ? R.number(image.rmse) : null],
                    ["tolerance for a value of 1", R.isNumber(image.tolerance) ? R.number(image.tolerance) : null]];
-    const notes = R.list(image.embedded?.notes).map((note) => R.h("p", {class: "note", text: R.text(note)}));
     return R.h("div", {class: "facts"}, R.h("dl", {}, ...facts.filter(([, v]) => v !== null).map(([k, v]) => R.h("div", {}, R.h("dt", {text: k}), R.h("dd", {text: v})))), ...notes);
 };
 
@@ -67,7 +68,7 @@ R.checkDetails = (check) => {
     return [
         !R.isUrgent(check) && R.diagnosis(raw),
         check.chart && check.image && R.chart(check.chart, check.title),
-        R.questions(raw, check.tone === "idle"),
+        R.questions(raw),
         check.image?.trees && R.rayTrees(R.object(check.image.trees)),
         R.reproduce([check, ...check.same]),
     ];
@@ -81,10 +82,11 @@ R.diagnosis = (raw) => {
         R.h("li", {"data-kind": R.text(d.kind)}, R.h("span", {class: "what", text: (names[d.kind] ?? "Note") + (d.mutant ? ` · ${R.text(d.mutant)}` : "")}), R.h("p", {text: R.text(d.text)}))));
 };
 
-R.questions = (raw, waiting) => {
+R.questions = (raw) => {
     const all = R.list(raw.questions).map(R.object);
     if (all.length === 0) return null;
     const failed = all.filter((q) => q.ok !== true), passed = all.filter((q) => q.ok === true);
+    const waiting = failed.every((q) => R.text(q.answer).startsWith("unfinished "));
     const line = (name, value, tone) => R.text(value) && [R.h("dt", {text: name}), R.h("dd", {"data-tone": tone}, R.h("code", {text: R.text(value)}))];
     const one = (q) => R.h("li", {class: "question"}, R.h("p", {class: "claim"}, R.badge(q.ok === true ? "pass" : "fail", {small: true}), R.h("span", {text: R.text(q.about) || "A question"})),
         R.h("dl", {}, line("asked", q.query), line("expected", q.expected), line(q.ok === true ? "answered" : "got", q.answer === "" ? "(nothing)" : q.answer, q.ok === true ? null : "bad")),

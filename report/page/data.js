@@ -56,9 +56,16 @@ R.task = (step, id) => step.tasks.find((task) => task.id === id);
 
 R.hasBoth = (image) => Boolean(image.embedded?.student && image.embedded?.reference);
 
+/** A program that crashed left no picture: then the numbers of the comparison are zeros that mean nothing. */
+R.wasCompared = (image) => R.text(image.student) !== "" && image.pixels !== 0;
+
+/** Nothing of such a step could be run: its checks all say the same. */
+R.doesNotCompile = (step) => step.verdict === "build error";
+
 /** One check a scene for the gallery: the one that went worst. */
 R.gallery = () => {
-    const order = {bad: 0, mixed: 1, idle: 2, good: 3};
+    // Among the others' steps a picture that waits hides no picture that is right by this step alone.
+    const order = {bad: 0, mixed: 1, good: 2, idle: 3};
     const scenes = new Map();
     for (const check of R.checks) {
         if (!check.image || check.fresh || !(check.image.embedded?.student || check.image.embedded?.reference)) continue;

@@ -1,13 +1,21 @@
 // Puts the page together.
 (() => {
     R.setTheme(R.remember("raysteps-theme"));
-    document.title = `Raysteps report: ${R.points(R.object(R.results.score).points)} of ${R.points(R.object(R.results.score).max)} points`;
+    const graded = R.steps.length > 0 || !R.hasSpeed;
+    document.title = graded ? `Raysteps report: ${R.points(R.object(R.results.score).points)} of ${R.points(R.object(R.results.score).max)} points` : "Raysteps: speed against accuracy";
     document.getElementById("rail").append(...R.rail());
-    document.getElementById("main").append(...[R.hero(), R.galleryWall(), R.rubric(), ...R.steps.map(R.stepSection),
-        R.h("p", {class: "nothing-failed", text: R.needAttention.length ? "" : "Nothing failed: there is nothing to show under this filter."}), R.colophon()].filter(Boolean));
+    document.getElementById("main").append(...(graded ? [R.hero(), R.galleryWall(), R.rubric(), ...R.steps.map(R.stepSection), R.speed(),
+        R.h("p", {class: "nothing-failed", text: R.needAttention.length ? "" : "Nothing failed: there is nothing to show under this filter."}), R.colophon()] : [R.speed({heading: "h1"}), R.colophon()]).filter(Boolean));
     R.preparePrint();
     Promise.all(R.pending).then(() => (document.documentElement.dataset.ready = "true"));
-    if (location.hash.length > 1) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+    const goThere = () => {
+        const target = document.getElementById(location.hash.slice(1));
+        const fold = target?.closest("details");
+        if (fold) fold.open = true;
+        target?.scrollIntoView();
+    };
+    if (location.hash.length > 1) goThere();
+    addEventListener("hashchange", goThere);
 
     // The step that is being read is marked in the rail.
     const links = new Map([...document.querySelectorAll(".rail-list > li > a")].map((a) => [a.getAttribute("href").slice(1), a]));

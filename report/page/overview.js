@@ -4,12 +4,14 @@ R.ring = (points, max) => {
     const arc = R.svg("circle", {class: "ring-arc", cx: 60, cy: 60, r: 52, "stroke-dasharray": `${circumference * share} ${circumference}`, transform: "rotate(-90 60 60)"});
     return R.h("div", {class: "ring", role: "img", "aria-label": `Score: ${R.points(points)} of ${R.points(max)} points`},
         R.svg("svg", {viewBox: "0 0 120 120", "aria-hidden": "true"}, R.svg("circle", {class: "ring-track", cx: 60, cy: 60, r: 52}), share > 0 && arc),
-        R.h("p", {"aria-hidden": "true"}, R.h("b", {text: R.points(points)}), R.h("span", {text: `of ${R.points(max)}`})));
+        R.h("p", {"aria-hidden": "true"}, R.h("b", {text: R.isNumber(points) ? R.points(Number(points.toFixed(1))) : "–"}), R.h("span", {text: `of ${R.points(max)}`})));
 };
 
 R.sentence = () => {
     const count = R.checks.length, open = R.needAttention.length;
     if (R.results.status === "infrastructure error") return ["idle", "Not graded: the grader itself had a problem"];
+    const broken = R.steps.filter(R.doesNotCompile).map((step) => step.name);
+    if (broken.length > 0) return ["bad", broken.length === 1 ? `${broken[0]} does not compile` : `${R.plural(broken.length, "step")} do not compile`];
     if (count === 0) return ["idle", "Nothing has been checked yet"];
     if (open === 0) return ["good", count === 1 ? "The check passed" : `All ${count} checks passed`];
     if (R.checks.every((check) => check.verdict === "not started")) return ["idle", "Nothing has been started yet"];

@@ -3,7 +3,7 @@
 R.pictureScene = (check) => {
     const image = check.image;
     const listeners = new Set();
-    const worst = R.object(image.worst);
+    const worst = R.wasCompared(image) ? R.object(image.worst) : {};
     const scene = {
         image, other: check.fresh ? "Solution" : "POV-Ray", student: null, reference: null, width: 4, height: 3, exposure: 0, outlines: true,
         x: R.isNumber(worst.x) ? worst.x : null, y: R.isNumber(worst.y) ? worst.y : null,

@@ -27,7 +27,7 @@ std::string hit_json(const std::optional<Hit>& hit) {
 
 }  // namespace
 
-thread_local QueryLog* query_log = nullptr;
+constinit thread_local QueryLog* query_log = nullptr;
 
 void QueryLog::nearest(const Ray& ray, Interval range, const std::optional<Hit>& hit) {
     const int depth = current < 0 ? 0 : queries[static_cast<std::size_t>(current)].depth + 1;

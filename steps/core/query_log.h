@@ -59,7 +59,7 @@ private:
 };
 
 /// Null but while a pixel is being explained, on the thread that explains it.
-extern thread_local QueryLog* query_log;
+extern constinit thread_local QueryLog* query_log;
 
 inline LoggedRay::LoggedRay(const char* kind, float weight) {
     if (!query_log) [[likely]]

@@ -146,10 +146,11 @@ void answer_questions(std::istream& in, std::ostream& out) {
                 continue;
             }
             if (line.empty()) continue;
-            out << (problem.empty() ? answer(stage.get(), line) : "error " + problem) << '\n';
+            // Each answer leaves at once: a crash costs only those that come after.
+            out << (problem.empty() ? answer(stage.get(), line) : "error " + problem) << '\n' << std::flush;
         } catch (const std::exception& e) {
             if (line.starts_with("scene ")) problem = one_line(e.what());
-            else out << "error " << one_line(e.what()) << '\n';
+            else out << "error " << one_line(e.what()) << '\n' << std::flush;
         }
     }
 }

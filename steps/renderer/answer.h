@@ -5,7 +5,8 @@
 
 namespace rays {
 
-/// Reads scene blocks and queries until the end of input. Every query gets one line, whatever happens.
+/// Reads scene blocks and queries until the end of input. Every query gets one line, whatever happens,
+/// flushed before the next query is looked at.
 void answer_questions(std::istream& in, std::ostream& out);
 
 }  // namespace rays

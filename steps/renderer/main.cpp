@@ -17,6 +17,7 @@
 #include "renderer/cost_map.h"
 #include "renderer/needs.h"
 #include "renderer/picture_file.h"
+#include "renderer/private_output.h"
 #include "renderer/render.h"
 #include "renderer/seen.h"
 #include "scene_reader/scene_reader.h"
@@ -156,10 +157,10 @@ int explain_pixel(const Arguments& a) {
     char rest = 0;
     if (std::sscanf(a.pixel.c_str(), "%d,%d%c", &x, &y, &rest) != 2 || x < 0 || y < 0 || x >= a.options.raster.width || y >= a.options.raster.height)
         throw InputError(fmt::format("--explain {}: need X,Y within {} x {}", a.pixel, a.options.raster.width, a.options.raster.height));
+    PrivateOutput out;
     const Scene scene = stage(a);
     const QueryLog log = explain(scene, a.options, x, y);
-    if (a.visited) std::cout << visit_to_json(visit_of(scene, a.options, x, y)) << '\n';
-    else std::cout << (a.json ? log.to_json() : log.to_text());
+    out << (a.visited ? visit_to_json(visit_of(scene, a.options, x, y)) + '\n' : a.json ? log.to_json() : log.to_text());
     list_unfinished();
     return kSuccess;
 }
@@ -167,7 +168,8 @@ int explain_pixel(const Arguments& a) {
 int run(Arguments& a) {
     if (a.answer) {
         std::ios::sync_with_stdio(false);
-        answer_questions(std::cin, std::cout);
+        PrivateOutput out;
+        answer_questions(std::cin, out);
         return kSuccess;
     }
     if (a.scene.empty()) throw InputError("which scene? Give a .pov file, or --help");

@@ -7,8 +7,6 @@ namespace rays::sdl {
 
 namespace {
 
-constexpr double kEpsilon = 1e-10;
-
 /// What a camera statement said; what it did not say stays as it was.
 struct Said {
     std::optional<V3> look_at, focal_point;

@@ -112,6 +112,7 @@ std::uint32_t Flattener::clip_list(const Inherited& inherited) {
         add_shape(draft, chain(draft.placement, inherited.clip_placements[i]), clip);
         list.push_back(clip);
     }
+    in_.spend(static_cast<std::int64_t>(list.size()) * kWorkOfClip);
     in_.hold(list.size() * sizeof(Object));
     return append(scene_.clips, std::move(list));
 }
@@ -238,6 +239,7 @@ std::uint32_t Flattener::material(Worn& worn) {
 }
 
 std::uint32_t Flattener::material(const SurfaceDraft& surface, const Placement& placement) {
+    in_.spend(kWorkOfMaterial);
     Material material;
     material.pigment.color = surface.pigment.color;
     material.pigment.checker_other = surface.pigment.checker_other;

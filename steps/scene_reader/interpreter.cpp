@@ -29,8 +29,9 @@ void Interpreter::fetch() {
     Token& token = peeked_;
     for (;;) {
         ++tokens_;
-        spend(1);
+        const char* before = scanner_.at();
         scanner_.scan(names_, token);
+        spend(1 + (scanner_.at() - before + scanner_.take_walked()) / kBytesPerWork);
         switch (token.kind) {
             case Token::Kind::name:
                 resolve(token);
@@ -122,7 +123,7 @@ void Interpreter::subscripts(Token& token) {
 Word Interpreter::skip_block(int levels, bool at_else, Place opened) {
     const char* start = scanner_.at();
     const Word word = scanner_.skip_block(names_, levels, at_else, opened);
-    spend((scanner_.at() - start) / 16);
+    spend((scanner_.at() - start) / kBytesPerWork);
     return word;
 }
 
@@ -181,7 +182,7 @@ void Interpreter::note(const Place& place, std::string_view what) {
 }
 
 void Interpreter::object_made(const Place& place) {
-    if (budget_.can_grow) budget_.work += kWorkPerObject;
+    buy_work(kWorkOfPlainSphere);
     if (++budget_.objects > kMostObjects) {
         fail(place, fmt::format("the scene has more than {} objects; use a mesh", kMostObjects));
     }

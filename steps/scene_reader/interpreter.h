@@ -23,7 +23,8 @@ namespace rays::sdl {
 /// What several readings of one scene share: the text, and how much work is left.
 struct Budget {
     std::int64_t work = kIdleWork;
-    bool can_grow = true;  ///< the first reading: text and objects buy more work
+    std::int64_t for_objects = kMostWorkForObjects;  ///< what objects can still buy
+    bool can_grow = true;                            ///< the first reading: text and objects buy more work
     std::int64_t memory_limit = kMostMemory;
     std::int64_t memory = kMostMemory;  ///< left
     std::size_t objects = 0;
@@ -111,7 +112,8 @@ public:
     void object_made(const Place& place);
     /// The same for a face of a mesh, which costs less.
     void face_made() {
-        if (budget_.can_grow) budget_.work += kWorkPerObject;
+        buy_work(0);
+        spend(kWorkOfFace);
         hold(2 * sizeof(Mesh::Face));
     }
     /// A cost that is not a token.
@@ -122,6 +124,7 @@ public:
     /// Memory that stays until the scene is read.
     void hold(std::size_t bytes) {
         if ((budget_.memory -= static_cast<std::int64_t>(bytes)) < 0) out_of_memory();
+        spend(static_cast<std::int64_t>(bytes) / kHeldBytesPerWork);
     }
 
     std::size_t memory_left() const { return static_cast<std::size_t>(std::max<std::int64_t>(budget_.memory, 0)); }
@@ -133,6 +136,13 @@ public:
     bool used_wavelength() const { return wavelength_.used; }
 
 private:
+    void buy_work(std::int64_t at_least) {
+        if (!budget_.can_grow) return;
+        const std::int64_t bought = std::min(budget_.for_objects, kWorkPerObject);
+        budget_.for_objects -= bought;
+        budget_.work += std::max(bought, at_least);
+    }
+
     // tokens (interpreter.cpp)
     void fetch();  ///< into peeked_
     Word skip_block(int levels, bool at_else, Place opened);

@@ -33,6 +33,18 @@ Real cone_size(Interpreter& in, const Light& light) {
     return static_cast<Real>(light.kind == Light::Kind::spot ? size * kDegree : size);
 }
 
+/// shadowless, spotlight and cylinder are three values of one setting in POV-Ray: the last one said is what counts. So
+/// a shadowless light has no cone, and a spotlight after shadowless casts shadows. parallel, which cylinder implies,
+/// is another setting and stays.
+void set_kind(LightDraft& draft, Light::Kind kind, bool shadowless, double radius, double falloff) {
+    Light& light = draft.light;
+    light.kind = kind;
+    light.shadowless = shadowless;
+    light.radius_rad = static_cast<Real>(radius);
+    light.falloff_rad = static_cast<Real>(falloff);
+    light.tightness = 0;
+}
+
 bool read_shape_item(Interpreter& in, LightDraft& draft) {
     Light& light = draft.light;
     if (in.peek().kind != Token::Kind::word) return false;
@@ -40,17 +52,11 @@ bool read_shape_item(Interpreter& in, LightDraft& draft) {
     switch (word.word) {
         case Word::spotlight_:
             in.take();
-            light.kind = Light::Kind::spot;
-            light.radius_rad = static_cast<Real>(30 * kDegree);
-            light.falloff_rad = static_cast<Real>(45 * kDegree);
-            light.tightness = 0;
+            set_kind(draft, Light::Kind::spot, false, 30 * kDegree, 45 * kDegree);
             return true;
         case Word::cylinder_:
             in.take();
-            light.kind = Light::Kind::cylinder;
-            light.radius_rad = Real(0.75);
-            light.falloff_rad = 1;
-            light.tightness = 0;
+            set_kind(draft, Light::Kind::cylinder, false, 0.75, 1);
             light.parallel = true;
             return true;
         case Word::parallel_:
@@ -59,7 +65,7 @@ bool read_shape_item(Interpreter& in, LightDraft& draft) {
             return true;
         case Word::shadowless_:
             in.take();
-            light.shadowless = true;
+            set_kind(draft, Light::Kind::point, true, 0, 0);
             return true;
         case Word::point_at_:
             require_direction(in, in.take(), light, true);

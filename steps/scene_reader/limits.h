@@ -6,6 +6,9 @@
 
 namespace rays::sdl {
 
+/// POV-Ray's tolerance for truth and equality.
+inline constexpr double kEpsilon = 1e-10;
+
 /// Text of one file. A 100 MB scene must pass.
 inline constexpr std::uintmax_t kMostBytesOfText = 400u << 20;
 /// Nested braces, parentheses, unions, macro arguments: each level costs some hundred bytes of stack.
@@ -14,8 +17,8 @@ inline constexpr int kDeepestNesting = 200;
 inline constexpr std::size_t kMostOpenBlocks = 200;
 /// Include files inside of one another; POV-Ray's own limit is 32.
 inline constexpr std::size_t kDeepestInclude = 32;
-/// Objects after unions are taken apart: 10^7 spheres must pass.
-inline constexpr std::size_t kMostObjects = 10'000'000;
+/// Objects after unions are taken apart: 10^7 spheres and their lights must pass.
+inline constexpr std::size_t kMostObjects = 10'100'000;
 /// Bytes of what the scene makes (objects, materials, arrays, ...), counted roughly; the process stays under 1 GiB.
 inline constexpr std::int64_t kMostMemory = 800'000'000;
 /// Elements of one array, corners or faces of one mesh.
@@ -26,12 +29,28 @@ inline constexpr std::size_t kLongestString = 1 << 20;
 /// Notes kept; a loop could make millions.
 inline constexpr std::size_t kMostNotes = 100;
 
-/// Work is counted in tokens and skipped bytes. A loop that makes nothing ends after `kIdleWork` (two seconds); text
-/// read once and objects made buy more.
-inline constexpr std::int64_t kIdleWork = 50'000'000;
+/// Work is counted in units of a token, some 25 ns. A loop that makes nothing ends after `kIdleWork` (one second);
+/// text read once buys more without limit, objects made by it up to `kMostWorkForObjects`. Together that keeps small
+/// scenes under three seconds, where the limit is five. Beyond, an object still buys what a sphere in a loop costs: a
+/// scene of ten million objects is large, not hostile, and `kMostObjects` ends it.
+inline constexpr std::int64_t kIdleWork = 40'000'000;
+inline constexpr std::int64_t kMostWorkForObjects = 50'000'000;
 /// Work of all readings after the first (see tabulate.h).
-inline constexpr std::int64_t kWorkAgain = 100'000'000;
+inline constexpr std::int64_t kWorkAgain = 60'000'000;
 inline constexpr std::int64_t kWorkPerByte = 4;
 inline constexpr std::int64_t kWorkPerObject = 400;
+inline constexpr std::int64_t kWorkOfPlainSphere = 30;
+/// What is no token and costs as much as several, by measurement: a call with its scope, a directive, bytes walked over
+/// or copied, the first touch of memory that the scene keeps, a face whose corners are looked up in large tables, a
+/// material or a clip made, a question to the file system, a number printed.
+inline constexpr std::int64_t kWorkOfCall = 10;
+inline constexpr std::int64_t kWorkOfDirective = 2;
+inline constexpr std::int64_t kWorkOfFace = 40;
+inline constexpr std::int64_t kWorkOfMaterial = 20;
+inline constexpr std::int64_t kWorkOfClip = 20;
+inline constexpr std::int64_t kWorkOfFileSearch = 1000;
+inline constexpr std::int64_t kWorkOfPrintedDigit = 1;
+inline constexpr std::int64_t kBytesPerWork = 16;
+inline constexpr std::int64_t kHeldBytesPerWork = 32;
 
 }  // namespace rays::sdl

@@ -43,6 +43,7 @@ void Interpreter::define_macro(Place place) {
 void Interpreter::call_macro(const Shared<Macro>& called, Place place) {
     const Macro& macro = *called;
     const Nesting nesting(*this);
+    spend(kWorkOfCall);
     // Arguments are expressions of the caller, who may look at whatever follows: directives in them are obeyed.
     const bool outer_hold = std::exchange(hold_, false);
     const bool outer_left = std::exchange(left_side_, false);
@@ -137,6 +138,7 @@ void Interpreter::capture(Function& function, const Token& name) {
 
 double Interpreter::call_function(const Function& function, Place place) {
     const Nesting nesting(*this);
+    spend(kWorkOfCall);
     if (function.internal) fail(place, "POV-Ray's built-in functions and pigment functions are not in the subset");
     expect('(', "a function's call");
     std::vector<double> arguments;

@@ -7,8 +7,6 @@ namespace rays::sdl {
 
 namespace {
 
-constexpr double kEpsilon = 1e-10;
-
 double positive(Interpreter& in, std::string_view what) {
     const Place place = in.peek().place;
     const double value = in.number();

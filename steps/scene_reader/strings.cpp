@@ -1,6 +1,7 @@
 // Strings and what is made of them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -42,9 +43,12 @@ std::string unescaped(std::string_view text) {
     std::string result;
     result.reserve(text.size());
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '\\' || i + 1 == text.size()) {
-            result += text[i];
-            continue;
+        const std::size_t plain = std::min(text.find('\\', i), text.size());
+        result.append(text, i, plain - i);
+        i = plain;
+        if (i + 1 >= text.size()) {
+            result.append(text, i);
+            break;
         }
         switch (const char c = text[++i]) {
             case 'n':
@@ -104,7 +108,7 @@ std::string Interpreter::string() {
         fail(token, fmt::format("found {}; expected a string", describe(token)));
     }
     if (result.size() > kLongestString) fail(token, fmt::format("a string of more than {} characters", kLongestString));
-    spend(static_cast<std::int64_t>(result.size() / 16));
+    spend(static_cast<std::int64_t>(result.size()) / kBytesPerWork);
     return result;
 }
 
@@ -131,6 +135,7 @@ std::string Interpreter::string_made_by(const Token& token) {
             const int width = integer("the width of str", -200, 200);
             comma();
             result = formatted(value, width, integer("the precision of str", -1000, 100));
+            spend(kWorkOfPrintedDigit * static_cast<std::int64_t>(result.size()));
             break;
         }
         case Word::vstr_: {
@@ -144,6 +149,7 @@ std::string Interpreter::string_made_by(const Token& token) {
             comma();
             const int precision = integer("the precision of vstr", -1000, 100);
             for (int i = 0; i < size; ++i) result += (i ? between : "") + formatted(value.at[i], width, precision);
+            spend(kWorkOfPrintedDigit * static_cast<std::int64_t>(result.size()));
             break;
         }
         case Word::substr_: {
@@ -195,6 +201,7 @@ bool Interpreter::string_function(Word word, const Place& place, double& result)
     } else if (word == Word::val_) {
         result = std::strtod(text.c_str(), nullptr);
     } else {
+        spend(kWorkOfFileSearch);
         try {
             result = !sources_.find_file(text).empty();
         } catch (const InputError& error) {

@@ -113,6 +113,7 @@ private:
     std::vector<double> read_at(const Variable& variable, double value) {
         const Scene scene = read({{variable.name, value}}).scene;
         Numbers numbers(scene);
+        budget_.work -= static_cast<std::int64_t>(numbers.values.size());  // comparing costs as reading does
         if (numbers.structure != base_->structure || numbers.values.size() != base_->values.size()) {
             if (choices_.changed) return base_->values;  // another round follows
             fail(fmt::format("the scene has other parts at {} = {} than at {}; only numbers may change with it",

@@ -35,6 +35,12 @@ bool is_letter(char c) { return class_of(c) == Class::letter; }
 bool is_digit(char c) { return class_of(c) == Class::digit; }
 bool is_blank(char c) { return class_of(c) == Class::blank; }
 
+/// The first `c` in [from, end), or `end`.
+const char* next(const char* from, char c, const char* end) {
+    const void* found = from < end ? std::memchr(from, c, static_cast<std::size_t>(end - from)) : nullptr;
+    return found ? static_cast<const char*>(found) : end;
+}
+
 [[noreturn]] void fail(const Place& place, std::string_view what) {
     throw InputError(fmt::format("{}: {}", to_string(place), what));
 }
@@ -69,13 +75,18 @@ std::string describe(const Token& token) {
 }
 
 void Scanner::skip_blanks() {
+    const char* start = at_;
+    skip_blanks_uncounted();
+    walked_ += at_ - start;
+}
+
+void Scanner::skip_blanks_uncounted() {
     for (;;) {
         while (is_blank(*at_)) ++at_;
         if (*at_ == '\0' && at_ < end_) {  // POV-Ray passes over NUL bytes, too
             ++at_;
         } else if (at_[0] == '/' && at_[1] == '/') {
-            const void* newline = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
-            at_ = newline ? static_cast<const char*>(newline) : end_;
+            at_ = next(at_, '\n', end_);
         } else if (at_[0] == '/' && at_[1] == '*') {
             const Place opened = place();
             int depth = 0;  // comments nest
@@ -183,13 +194,14 @@ void Scanner::scan_number(Token& token) {
 void Scanner::scan_string(Token& token) {
     token.kind = Token::Kind::string;
     const char* start = ++at_;
-    while (*at_ != '"') {
-        if (at_ >= end_) fail(token.place, "this string never ends; close it with \"");
-        if (*at_ == '\\' && at_ + 1 < end_) ++at_;
-        ++at_;
+    const char* quote = next(start, '"', end_);
+    for (const char* escape = start; (escape = next(escape, '\\', quote)) < quote;) {
+        escape += 2;
+        if (escape > quote) quote = next(escape, '"', end_);
     }
-    token.text = {start, static_cast<std::size_t>(at_ - start)};
-    ++at_;
+    if (quote == end_) fail(token.place, "this string never ends; close it with \"");
+    token.text = {start, static_cast<std::size_t>(quote - start)};
+    at_ = quote + 1;
 }
 
 void Scanner::scan_name(Token& token, Names& names) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 
 #include "scene_reader/value.h"
 
@@ -61,8 +62,9 @@ public:
         skip_blanks();
         return *at_ == c;
     }
-    /// Bytes walked over, as a measure of work.
     const char* end() const { return end_; }
+    /// Bytes of blanks and comments walked over since the last call: a loop pays for them each time round.
+    std::int64_t take_walked() { return std::exchange(walked_, 0); }
 
     /// After a '#': the directive's word, or other_ when there is none.
     Word directive_word(Names& names);
@@ -74,6 +76,7 @@ public:
 
 private:
     void skip_blanks();
+    void skip_blanks_uncounted();
     bool scan_short_number(Token& token);
     void scan_number(Token& token);
     void scan_string(Token& token);
@@ -82,6 +85,7 @@ private:
     const Source* source_ = nullptr;
     const char* at_ = nullptr;
     const char* end_ = nullptr;
+    std::int64_t walked_ = 0;
 };
 
 }  // namespace rays::sdl

@@ -47,6 +47,19 @@ TEST(NearestMutant, RecognisesNan) {
     EXPECT_TRUE(nearest_mutant(of({"hit nan", "hit 2", "miss", "0.5 0.5 0.5", "hit 7", "1"}), {a}));
 }
 
+TEST(NearestMutant, NamesAMistakeInHalfFinishedWork) {
+    const auto a = known("A", of({"hit -1", "hit -2", "hit 3", "0 0 0", "miss", "0"}));
+    const auto b = known("B", of({"hit 1", "hit 2", "miss", "0 0 0", "miss", "0"}));
+    const std::vector<std::string> half{"hit -1",         "hit -2",         "unfinished 1.5",
+                                        "unfinished 1.5", "unfinished 1.5", "unfinished 1.5"};
+    const auto unfinished = unfinished_questions(answers(half));
+    EXPECT_EQ(unfinished, (std::set<int>{2, 3, 4, 5}));
+    ASSERT_TRUE(nearest_mutant(of(half), {a, b}, unfinished));
+    EXPECT_EQ(nearest_mutant(of(half), {a, b}, unfinished)->id, "A");
+    const std::vector<std::string> right{"hit 1", "hit 2", "unfinished 1.5", "unfinished 1.5", "unfinished 1.5", "1"};
+    EXPECT_FALSE(nearest_mutant(of(right), {a, b}, unfinished_questions(answers(right))));
+}
+
 TEST(NearestMutant, IsSilentWhenTwoFit) {
     const Fingerprint f = of({"hit -1", "hit 2", "miss", "0.5 0.5 0.5", "hit 7", "1"});
     EXPECT_FALSE(nearest_mutant(f, {known("A", f), known("B", f)}));

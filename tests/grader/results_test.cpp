@@ -102,5 +102,26 @@ TEST(Summary, IsPlainText) {
     EXPECT_NE(summary(full(), "out").find("out/images/x.exr"), std::string::npos);
 }
 
+TEST(Summary, SaysWhatTheRestOfAHalfRightTaskWaitsFor) {
+    Results r = full();
+    StepResult& step = r.steps.at(0);
+    step.tasks.at(0).verdict = Verdict::partial;
+    step.checks.push_back(new_check("1.3.fresh", step.tasks.at(0).id, "fresh", "Sphere: fresh scenes", 2));
+    step.checks.back().verdict = Verdict::not_started;
+    step.checks.back().message = "the picture waits for task 1.15";
+    EXPECT_NE(summary(r, "out").find("1.3.fresh [fresh] not started: the picture waits for task 1.15"),
+              std::string::npos);
+    step.tasks.at(0).verdict = Verdict::not_started;
+    EXPECT_EQ(summary(r, "out").find("the picture waits"), std::string::npos) << "else only their number is told";
+}
+
+TEST(Summary, SaysThatExactnessIsDoubles) {
+    Results r = full();
+    r.real = "float";
+    EXPECT_NE(summary(r, "out").find("promised for double only"), std::string::npos);
+    r.real = "double";
+    EXPECT_EQ(summary(r, "out").find("promised"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace rays::grader

@@ -1,4 +1,5 @@
 // Whole submissions: built, run and graded as a student's are. Good ones, untouched ones, broken ones, hostile ones.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,6 +70,12 @@ std::vector<Verdict> verdicts(const StepResult& step, const std::string& kind) {
     return list;
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    const auto found = text.find(what);
+    EXPECT_NE(found, std::string::npos) << "the solution has changed";
+    return text.replace(found, what.size(), by);
+}
+
 bool has(const std::vector<Verdict>& list, Verdict v) { return std::find(list.begin(), list.end(), v) != list.end(); }
 
 TEST_F(SubmissionsTest, TheSolutionGetsFullMarks) {
@@ -117,6 +124,17 @@ TEST_F(SubmissionsTest, ASyntaxErrorIsABuildError) {
         << step.checks.at(0).message;
 }
 
+TEST_F(SubmissionsTest, TheCompilersQuotationMarksArrive) {
+    ::setenv("LC_ALL", "C.UTF-8", 1);
+    put(kFile, "#include \"2_phong/phong.h\"\nint x = rays::Surface().centre;\n");
+    const StepResult step = run().steps.at(0);
+    ::unsetenv("LC_ALL");
+    EXPECT_NE(step.checks.at(0).message.find("has no member named 'centre'"), std::string::npos)
+        << step.checks.at(0).message;
+    for (const TaskResult& t : step.tasks) EXPECT_EQ(t.hint, "") << "the compiler has said what is wrong";
+    for (const Check& c : step.checks) EXPECT_TRUE(c.diagnosis.empty());
+}
+
 TEST_F(SubmissionsTest, AMissingFunctionIsABuildError) {
     put(kFile, "namespace rays {}\n");
     EXPECT_EQ(run().steps.at(0).verdict, Verdict::build_error);
@@ -128,6 +146,31 @@ TEST_F(SubmissionsTest, ACrashIsACrash) {
     EXPECT_TRUE(has(verdicts(step, "image"), Verdict::crash));
     EXPECT_TRUE(has(verdicts(step, "unit"), Verdict::crash));
     EXPECT_TRUE(has(verdicts(step, "unit"), Verdict::pass)) << "tasks that do not need it are not punished";
+    for (const Check& c : step.checks)
+        if (c.verdict == Verdict::crash) {
+            EXPECT_NE(c.message.find("build with the debug preset"), std::string::npos) << c.id << ": " << c.message;
+        }
+}
+
+// Nothing of 2.7 is written, and its fresh scenes come upon the crash of 2.8.
+TEST_F(SubmissionsTest, AnUnwrittenTaskDoesNotCrash) {
+    put(kFile,
+        replaced(
+            solution_with("    std::abort();"), "Real cone_of_light(const Light& light, const Vec3& point) {",
+            "Real cone_of_light(const Light& light, const Vec3& point) {\n    if (light.kind != "
+            "Light::Kind::point || point.x == point.x) {\n        unfinished(\"2.7\");\n        return {};\n    }"));
+    const StepResult step = run().steps.at(0);
+    int seen = 0;
+    for (const Check& c : step.checks)
+        if (c.task == "2.7" && c.kind != "image") {
+            EXPECT_EQ(c.verdict, Verdict::not_started) << c.id << ": " << c.message;
+            seen += c.kind == "fresh";
+        }
+    EXPECT_EQ(seen, 1);
+    for (const TaskResult& t : step.tasks)
+        if (t.id == "2.7") {
+            EXPECT_EQ(t.verdict, Verdict::not_started);
+        }
 }
 
 TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
@@ -145,8 +188,61 @@ TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
     }
     EXPECT_EQ(named, "M2.3");
     EXPECT_TRUE(tree);
+    for (const Check& c : step.checks) {
+        if (c.kind != "image" || c.verdict != Verdict::fail) continue;
+        const std::string view = fmt::format("--width {} --height {} --from {}", c.image->width, c.image->height,
+                                             c.mode == "isolated" ? "student-2" : "student");
+        EXPECT_EQ(c.reproduce, fmt::format("./rays render scenes/{0} -o picture.png {3}\n"
+                                           "./rays explain scenes/{0} --pixel {1},{2} {3}",
+                                           c.image->scene, c.image->worst_x, c.image->worst_y, view));
+    }
     EXPECT_GT(step.points, 0);
     EXPECT_LT(step.points, step.max);
+}
+
+/// What the grader says must hold: only ray trees, questions and hints, when no known mistake explains the answers.
+void expect_caught_but_not_named(const StepResult& step, const std::vector<std::string>& caught) {
+    std::vector<std::string> failed;
+    for (const Check& c : step.checks) {
+        if (c.kind == "unit" && c.verdict != Verdict::pass) failed.push_back(c.id);
+        for (const Diagnosis& d : c.diagnosis) EXPECT_NE(d.kind, "mutant") << c.id << ": " << d.text;
+    }
+    EXPECT_EQ(failed, caught);
+}
+
+// Most of what this mistake would spoil is not written yet.
+TEST_F(SubmissionsTest, AKnownMistakeIsNamedInHalfFinishedWork) {
+    std::string text = solution_with("    unfinished(\"2.8\");\n    return {};");
+    text = replaced(
+        text, "Radiance direct_light(const Scene& scene, const Intersector& intersector, const Surface& surface) {",
+        "Radiance direct_light(const Scene&, const Intersector&, const Surface&) {\n    unfinished(\"2.10\");\n"
+        "    return {};\n}\n\n[[maybe_unused]] static Radiance later(const Scene& scene, const Intersector& "
+        "intersector, const Surface& surface) {");
+    for (const Mutant& m : read_mutants(project.mutants()))
+        if (m.id == "M2.3") text = apply(m, text);
+    put(kFile, text);
+    std::string named;
+    const StepResult step = run().steps.at(0);
+    for (const Check& c : step.checks)
+        for (const Diagnosis& d : c.diagnosis)
+            if (d.kind == "mutant") named = d.mutant;
+    EXPECT_EQ(named, "M2.3");
+}
+
+// Light falls off with the root of the cosine: wrong, and none of the list.
+TEST_F(SubmissionsTest, AnUnknownMistakeIsCaughtAndNotGivenAWrongName) {
+    put(kFile, replaced(solution(), "finish->diffuse * static_cast<float>(n_dot_l)",
+                        "finish->diffuse * std::sqrt(static_cast<float>(n_dot_l))"));
+    expect_caught_but_not_named(run().steps.at(0), {"2.3.unit", "2.10.unit"});
+}
+
+// One mistake of the list and one that is not: the known one explains only a part of the answers.
+TEST_F(SubmissionsTest, TwoMistakesAtOnceAreBothCaught) {
+    std::string text = replaced(solution(), "return 2 / (1 + grown);", "return 3 / (2 + grown);");
+    for (const Mutant& m : read_mutants(project.mutants()))
+        if (m.id == "M2.3") text = apply(m, text);
+    put(kFile, text);
+    expect_caught_but_not_named(run().steps.at(0), {"2.4.unit", "2.6.unit", "2.8.unit", "2.10.unit"});
 }
 
 TEST_F(SubmissionsTest, PixelsThatAreNoNumbersFail) {
@@ -168,7 +264,7 @@ TEST_F(SubmissionsTest, PicturesKnownByHeartDoNotCount) {
     for (const Check& c : step.checks) {
         if (c.kind != "image" || c.mode != "isolated") continue;
         EXPECT_EQ(c.points, 0) << c.id;
-        withheld += c.message.find("so it does not count") != std::string::npos;
+        withheld += c.message.find("it does not count yet: no fresh scene of task") != std::string::npos;
     }
     EXPECT_GT(withheld, 10);
 }
@@ -179,6 +275,30 @@ TEST_F(SubmissionsTest, AGradeCannotBePrinted) {
     const Results r = run();
     EXPECT_LT(r.steps.at(0).points, r.steps.at(0).max / 2);
     EXPECT_EQ(to_json(r).find("\x1b"), std::string::npos);
+}
+
+// Who looks for a mistake prints. It costs nothing: answers and ray trees have a standard output of their own.
+TEST_F(SubmissionsTest, PrintingToStandardOutputCostsNothing) {
+    put(kFile,
+        "#include <iostream>\n" + solution_with("    std::printf(\"here\\n\"); std::cout << \"there\" << std::endl; "
+                                                "[[maybe_unused]] const auto n = write(1, \"miss\\n\", 5);"));
+    const StepResult step = run().steps.at(0);
+    EXPECT_EQ(step.verdict, Verdict::pass);
+    EXPECT_NEAR(step.points, step.max, 1e-9);
+    for (const Check& c : step.checks)
+        if (c.mode == "isolated") {  // step 1 is not written here
+            EXPECT_EQ(c.verdict, Verdict::pass) << c.id << ": " << c.message;
+        }
+}
+
+// The same when the code is wrong, too: the tree that explains the worst pixel is still read.
+TEST_F(SubmissionsTest, PrintingDoesNotGarbleTheTreeOfAWrongPixel) {
+    put(kFile, solution_with("    std::printf(\"{\\n\"); std::fflush(stdout); Illumination dark; return dark;"));
+    const StepResult step = run().steps.at(0);
+    int trees = 0;
+    for (const Check& c : step.checks)
+        for (const Diagnosis& d : c.diagnosis) trees += d.text.find("the shadow ray is missing") != std::string::npos;
+    EXPECT_GT(trees, 5);
 }
 
 TEST_F(SubmissionsTest, AFloodOfTextIsStopped) {

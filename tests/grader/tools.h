@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "references/files.h"
+#include "support/files.h"
 #include "references/reference.h"
 
 namespace rays::grader {

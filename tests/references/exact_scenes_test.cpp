@@ -7,9 +7,9 @@
 #include "core/error.h"
 #include "core/vec.h"
 #include "references/command.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/library.h"
-#include "references/process.h"
+#include "support/process.h"
 
 namespace rays {
 
@@ -35,15 +35,14 @@ bool differs(const Rgb& ours, const Rgb& reference) {
 RgbImage render(const ManifestEntry& entry) {
     const TemporaryFolder temporary;
     const auto picture = temporary.path() / "picture.exr";
-    const ProcessOrder order{
-        .program = RENDER_SOLUTION,
-        .arguments = {(kFolders.scenes / entry.scene).string(), "-o", picture.string(), "--width",
-                      std::to_string(entry.raster.width), "--height", std::to_string(entry.raster.height)},
-        .folder = {},
-        .environment = {},
-        .output = temporary.path() / "out"};
-    const ProcessEnd end = run_process(order);
-    if (!end.good()) throw InputError(end.describe(order) + ": " + read_file(order.output));
+    const Ended ended = run_command({{RENDER_SOLUTION, (kFolders.scenes / entry.scene).string(), "-o", picture.string(),
+                                      "--width", std::to_string(entry.raster.width), "--height",
+                                      std::to_string(entry.raster.height)},
+                                     {},
+                                     {},
+                                     only_time(60),
+                                     true});
+    if (!ended.ok()) throw InputError(how_it_ended(ended) + ": " + ended.err);
     return load_rgb_exr(picture);
 }
 

@@ -4,12 +4,11 @@
 #include <limits>
 
 #include "core/error.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/manifest.h"
-#include "references/process.h"
 #include "references/reference.h"
 #include "references/scene_files.h"
-#include "references/sha256.h"
+#include "support/sha256.h"
 
 namespace rays {
 namespace {
@@ -37,29 +36,6 @@ TEST(Files, AppearWholeOrNotAtAll) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1);  // nothing left behind
     EXPECT_THROW(read_file(folder.path() / "missing"), InputError);
     EXPECT_THROW(read_file(folder.path()), InputError);
-}
-
-TEST(Process, StatusSignalTimeLimit) {
-    const TemporaryFolder folder;
-    const auto shell = [&](const std::string& command, double seconds) {
-        const ProcessOrder order{.program = "/bin/sh",
-                                 .arguments = {"-c", command},
-                                 .folder = folder.path(),
-                                 .environment = {{"GREETING", "hello"}},
-                                 .output = folder.path() / "out",
-                                 .seconds = seconds};
-        return run_process(order);
-    };
-    EXPECT_EQ(shell("echo $GREETING; echo $PWD >&2; exit 3", 20).status, 3);
-    EXPECT_EQ(read_file(folder.path() / "out"), "hello\n" + folder.path().string() + "\n");
-    EXPECT_EQ(shell("kill -TERM $$", 20).signal, 15);
-    const ProcessEnd late = shell("sleep 60 & sleep 60", 0.2);
-    EXPECT_TRUE(late.timed_out);
-    EXPECT_FALSE(late.good());
-    ProcessOrder missing;
-    missing.program = folder.path() / "missing";
-    missing.output = folder.path() / "out";
-    EXPECT_THROW(run_process(missing), InputError);
 }
 
 TEST(Includes, OnlyWherePovrayReadsThem) {

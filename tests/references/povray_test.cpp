@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "references/command.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "references/library.h"
 
 namespace rays {
@@ -123,7 +123,7 @@ TEST_F(References, QuotePovraysErrorsAndLeaveNothing) {
 TEST_F(References, StopAtTheTimeLimit) {
     put("1_test/bad.pov", "#version 3.7;\n#while (1) #end\n");
     EXPECT_EQ(run({"bad", "--time-limit", "2"}), kCheckFailed);
-    EXPECT_TRUE(err_says("killed after 2 s")) << err_;
+    EXPECT_TRUE(err_says("was stopped after 2.")) << err_;
 }
 
 TEST_F(References, ScenesReadNothingElse) {

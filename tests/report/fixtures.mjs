@@ -139,6 +139,43 @@ export const huge = () => {
     return finished(results);
 };
 
+/** Half-finished work: tasks that are not started, one that waits, and a picture that a crash has prevented. */
+export const half = () => {
+    const results = base();
+    results.submission = {name: "ada", from: "student"};
+    const nothing = {pixels: 0, beyond_rounding: 0, on_silhouettes: 0, max_error: 0, rmse: 0, tolerance: 0, tolerance_absolute: 0, worst: {x: 0, y: 0, student: [0, 0, 0], reference: [0, 0, 0]}};
+    const {student, ...unseen} = {...image(SCENES[0], 0), ...nothing};
+    results.steps = [step(1, [check("1.3", "image", "one sphere", "crash", {message: "crashed: signal 11", image: unseen}),
+        ...TASKS[1].filter(([id]) => id !== "1.1").map(([id, title]) => check(id, "unit", title, "not started", {message: `all 24 questions wait for task ${id}`})),
+        check("1.1", "unit", "Camera rays", "partial", {message: "18 of 18 answered questions right; 6 wait for task 1.7", questions: questions("1.1", 6).map((q) => (q.ok ? q : {...q, answer: "unfinished 1.7"}))})])];
+    return {...finished(results), score: {points: 11.06, max: 40}};
+};
+
+export const COMPILER = "steps/1_x/file.cpp:57:41: error: 'struct Sphere' has no member named 'centre'\n   57 | int f(Sphere s) { return s.centre; }\n      |                            ^~~~~~\n";
+
+/** The compiler stopped: the same text in every check. */
+export const unbuilt = () => {
+    const results = base();
+    results.steps = [step(1, TASKS[1].map(([id, title]) => check(id, "unit", title, "build error", {message: COMPILER})))];
+    results.steps[0].verdict = "build error";
+    return finished(results);
+};
+
+/** What ./rays chart writes: a front, linked labels, a joined knob, an error of 0, ratios; and texts that are hostile. */
+export const charts = (text = (t) => t) => ({
+    schema: "raysteps-charts/1", machine: {cpu: "AMD EPYC 7B13", cores: 2, os: "Debian GNU/Linux 12 (bookworm)"}, versions: {raysteps: "0.1.0", povray: "3.7.0.10", compiler: "GNU 12.2.0"},
+    charts: [
+        {id: "1.patch", step: 1, kind: "scatter", title: text("A patch in several ways"), text: text("Few starts miss roots."), created: "2026-01-31T12:00:00Z", rounds: 11, front: true,
+            x: {label: "CPU time of a ray", unit: "ns", log: true}, y: {label: text("mean error"), unit: "sizes of the shape", log: true},
+            series: [{name: "certified", role: "solution", joined: false, points: [{x: 800, x_low: 790, x_high: 830, y: 0, label: "patch", settings: text("subdivision"), front: true}]},
+                {name: "float", role: "float", joined: false, points: [{x: 600, x_low: 590, x_high: 640, y: 7e-7, label: "patch", settings: "subdivision in float", front: true}]},
+                {name: text("Newton"), role: "naive", joined: true, points: [[1, 700, 0.069], [2, 2900, 8.6e-3], [3, 6500, 1e-9]].map(([n, x, y]) => ({x, x_low: x * 0.95, x_high: x * 1.1, y, label: "", settings: `${n} x ${n} starts`, front: false}))}]},
+        {id: "1.povray", step: 1, kind: "ratios", title: text("Pictures beside POV-Ray"), text: "Pairs in turns.", created: "2026-01-31T12:10:00Z", rounds: 11, front: false, x: {label: "POV-Ray's time / ours", unit: "", log: true},
+            series: [{name: "Raysteps", role: "solution", joined: false, points: [["one_sphere", 7.5], ["meshes", 0.5]].map(([label, x]) => ({x, x_low: x * 0.9, x_high: x * 1.1, label: text(label), settings: text("0.7 s and 0.1 s"), front: false}))}]},
+        {id: "2.empty", step: 2, kind: "scatter", title: "Nothing", text: "", created: "x", rounds: 1, front: true, x: {label: "t", unit: "s", log: true}, y: {label: "e", unit: "", log: true}, series: [{name: "none", role: "odd", points: [{x: null, y: 1}, null]}]},
+    ],
+});
+
 /** An EXR file that promises 10^9 x 10^9 pixels: its header alone, valid up to there. */
 const absurdExr = () => {
     const parts = [Buffer.from([0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0])];
@@ -170,10 +207,21 @@ export const writeFixtures = async (folder, makePictures) => {
     writeFileSync(join(pictures, "absurd.exr"), absurdExr());
     writeFileSync(join(pictures, "cut.exr"), readFileSync(join(pictures, "student-2-0.exr")).subarray(0, 3000));
     const paths = {};
-    for (const [name, make] of Object.entries({good, wrong, hostile, huge})) {
+    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt})) {
         paths[name] = join(folder, `${name}.json`);
         writeFileSync(paths[name], JSON.stringify(make()));
     }
+    // Charts stand beside the result they belong to: folders of their own.
+    const withCharts = (name, result, text) => {
+        mkdirSync(join(folder, name));
+        writeFileSync(join(folder, name, "charts.json"), text);
+        paths[name] = join(folder, name, "results.json");
+        if (result) writeFileSync(paths[name], JSON.stringify(result));
+    };
+    withCharts("charted", finished({...base(), steps: [step(1, [check("1.3", "unit", "Sphere", "pass", {questions: questions("1.3", 0)})])]}), JSON.stringify(charts()));
+    withCharts("charts-only", null, JSON.stringify(charts()));
+    withCharts("hostile-charts", base(), JSON.stringify(charts((t) => HOSTILE + t)));
+    withCharts("broken-charts", base(), '{"schema":"raysteps-charts/1",');
     return paths;
 };
 

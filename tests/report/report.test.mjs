@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import {existsSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {after, test} from "node:test";
+import {COMPILER} from "./fixtures.mjs";
 import {axeSource, finish, folder, open, pageOf, report, results, sizeOf, values} from "./browser.mjs";
 
 after(finish);
@@ -10,6 +11,15 @@ after(finish);
 const MEGA = 1e6;
 /** How many different colours a canvas shows: an empty one has 1. */
 const colorsOf = (canvas) => canvas.evaluate((c) => new Set(new Uint32Array(c.getContext("2d").getImageData(0, 0, c.width, c.height).data.buffer)).size);
+
+/** At this width nothing is cut. Charts follow a new width after a frame or two, later on a busy machine. */
+const fits = async (page, width, name) => {
+    await page.setViewportSize({width, height: 800});
+    await page.waitForFunction(() => document.documentElement.scrollWidth <= innerWidth, null, {timeout: 5000}).catch(() => {});
+    const [scroll, inner] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.equal(inner, width);
+    assert.ok(scroll <= inner, `${name} at ${width}: ${scroll}`);
+};
 
 test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise that does not compress", async () => {
     for (const name of ["good", "wrong", "hostile", "huge"]) assert.ok(sizeOf(name) < 3 * MEGA, `${name}: ${sizeOf(name)} bytes`);
@@ -20,7 +30,7 @@ test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise
 });
 
 test("nothing loads from outside, nothing is logged", async () => {
-    for (const name of ["good", "wrong", "hostile", "huge"]) {
+    for (const name of ["good", "wrong", "hostile", "huge", "charted", "charts-only", "hostile-charts"]) {
         const {page, watch, close} = await open(name);
         await page.locator(".rail-tools .quiet").click();
         await page.waitForTimeout(300);
@@ -199,6 +209,75 @@ test("charts are drawn, read by pointer and by keyboard, and also stand as a tab
     await close();
 });
 
+/** How many pixels of a canvas have a colour of the style sheet. */
+const pixelsOf = (canvas, name) => canvas.evaluate((c, color) => {
+    const [r, g, b] = R.color(color).match(/[\d.]+/g).map(Number);
+    const data = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) count += data[i] === r && data[i + 1] === g && data[i + 2] === b && data[i + 3] === 255;
+    return count;
+}, name);
+
+test("speed against accuracy: points with settings, the front, ratios, tables; after the grades or alone", async () => {
+    for (const name of ["charted", "charts-only"]) {
+        const {page, close} = await open(name, {width: 1400});
+        const section = page.locator("#speed");
+        assert.match(await section.locator("#speed-title").textContent(), /^Speed against accuracy$/);
+        assert.equal(await page.locator("h1").count(), 1, "one main heading");
+        assert.equal(await page.locator(".rail a[href='#speed']").count(), 1);
+        assert.equal(await page.locator(".ring").count(), name === "charted" ? 1 : 0, "no score where nothing was graded");
+        const chart = section.locator(".speed-chart").first();
+        const canvas = chart.locator("canvas");
+        for (const role of ["solution", "float", "naive"]) assert.ok(await pixelsOf(canvas, `--series-${role}`) > 10, role);
+        const withFront = await colorsOf(canvas);
+        assert.ok(withFront > 20);
+        const plot = chart.locator(".plot");
+        await plot.focus();
+        await page.keyboard.press("ArrowRight");
+        assert.match(await chart.locator(".readout").textContent(), /float: subdivision in float.*600 ns \(590 to 640\).*on the front/);
+        for (let i = 0; i < 9; ++i) await page.keyboard.press("ArrowRight");
+        assert.match(await chart.locator(".readout .at").textContent(), /Newton: 3 x 3 starts$/);
+        // Under the pointer: the mark where the ring stands, after the keyboard has left it there.
+        const ring = await chart.locator(".point-ring").boundingBox();
+        await page.keyboard.press("ArrowLeft");
+        await page.mouse.move(ring.x + ring.width / 2, ring.y + ring.height / 2);
+        assert.match(await chart.locator(".readout .at").textContent(), /Newton: 3 x 3 starts$/);
+        await chart.locator("summary").click();
+        assert.equal(await chart.locator("tbody tr").count(), 5);
+        assert.match(await chart.locator("tbody tr").first().textContent(), /^certified: patch800790 to 8300yessubdivision$/);
+        const rows = section.locator(".ratios tbody tr");
+        assert.deepEqual(await rows.locator("th").allTextContents(), ["one sphere", "meshes"]);
+        assert.match(await rows.first().locator(".value").textContent(), /^7.5 \(6.75 to 8.25\)$/);
+        const dot = async (row) => { const box = await rows.nth(row).locator(".dot").boundingBox(); return box.x + box.width / 2; };
+        const one = await rows.first().locator(".one").boundingBox();
+        assert.ok(await dot(0) > one.x && await dot(1) < one.x, "above and below 1");
+        assert.match(await section.textContent(), /Nothing was measured/);
+        await close();
+    }
+});
+
+test("charts: hostile texts stay texts, a broken file is a notice, nothing overflows, axe finds nothing", async () => {
+    const hostile = await open("hostile-charts");
+    const seen = await hostile.page.evaluate(() => ({pwned: globalThis.pwned, images: document.querySelectorAll("img").length, text: document.querySelector("#speed").innerText}));
+    assert.equal(seen.pwned, undefined);
+    assert.equal(seen.images, 0);
+    assert.ok(seen.text.includes("</script><script>globalThis.pwned=1</script>"));
+    for (const width of [768, 320]) {
+        await fits(hostile.page, width, "hostile charts");
+    }
+    await hostile.close();
+    const broken = await open("broken-charts");
+    assert.match(await broken.page.locator("#speed .notice").textContent(), /charts\.json: not JSON; run '\.\/rays chart' again/);
+    await broken.close();
+    for (const colorScheme of ["light", "dark"]) {
+        const {page, close} = await open("charted", {colorScheme, bypassCSP: true});
+        await page.evaluate(axeSource);
+        const findings = await page.evaluate(async () => (await axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"]})).violations.map((v) => `${v.id}: ${v.nodes[0].html.slice(0, 200)} ${v.nodes[0].failureSummary}`));
+        assert.deepEqual(findings, [], colorScheme);
+        await close();
+    }
+});
+
 test("hostile texts stay texts", async () => {
     const {page, watch, close} = await open("hostile");
     await page.waitForTimeout(300);
@@ -257,7 +336,7 @@ test("light and dark follow the system and the switch", async () => {
 });
 
 test("accessibility: no finding of axe in light and dark", async () => {
-    for (const [name, colorScheme] of [["wrong", "light"], ["wrong", "dark"]]) {
+    for (const [name, colorScheme] of [["wrong", "light"], ["wrong", "dark"], ["half", "light"], ["unbuilt", "dark"]]) {
         const {page, close} = await open(name, {colorScheme, bypassCSP: true});
         await page.evaluate(axeSource);
         const findings = await page.evaluate(async () => (await axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"]})).violations.map((v) => `${v.id}: ${v.nodes.length} × ${v.nodes[0].html.slice(0, 200)} ${v.nodes[0].failureSummary}`));
@@ -322,12 +401,61 @@ test("nothing overflows on a phone", async () => {
     for (const name of ["good", "wrong", "hostile"]) {
         const {page, close} = await open(name, {width: 768, height: 800});
         for (const width of [768, 390, 320]) {
-            await page.setViewportSize({width, height: 800});
-            const [scroll, inner] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-            assert.ok(scroll <= inner, `${name} at ${width}: ${scroll}`);
+            await fits(page, width, name);
         }
         await close();
     }
+    // Tiny values are long: 1.234 x 10^-4 in every column.
+    const {page, close} = await open("wrong", {width: 390, height: 800});
+    const table = page.locator("#check-0-0 .values");
+    await table.evaluate((box) => box.querySelectorAll("td").forEach((cell) => (cell.textContent = "−1.234 × 10⁻⁴")));
+    const [wide, shown] = await table.evaluate((box) => [box.scrollWidth, box.clientWidth]);
+    assert.ok(wide <= shown, `pixel table: ${wide} of ${shown}`);
+    await close();
+});
+
+test("half-finished work: what is not started is folded, what waits is not wrong, a crash shows no zeros", async () => {
+    const {page, watch, close} = await open("half");
+    const visible = (selector) => page.locator(selector).evaluateAll((list) => list.filter((e) => e.checkVisibility()).length);
+    assert.equal(await page.locator(".ring b").textContent(), "11.1", "one decimal fits into the ring");
+    assert.equal(await visible(".check"), 2);
+    const fold = page.locator("details.waiting");
+    assert.equal(await fold.locator("> summary").textContent(), "6 checks not started");
+    await page.locator(".rail-tasks a", {hasText: "1.5"}).click();
+    await page.waitForFunction(() => document.querySelector("details.waiting").open);
+    assert.equal(await visible(".check"), 8, "a link opens the fold around its target");
+    await page.locator(".rail-tools .quiet").click();
+    await page.locator(".rail-tools .quiet").click();
+    assert.equal(await visible(".check"), 2, "fold again");
+    const crashed = page.locator("#check-0-0");
+    assert.doesNotMatch(await crashed.innerText(), /largest error|the worst|Pixel 0/);
+    assert.equal(await crashed.locator(".inspector").count(), 0);
+    assert.equal(await crashed.locator(".marker.worst").evaluateAll((list) => list.filter((e) => e.checkVisibility()).length), 0);
+    assert.ok(await colorsOf(crashed.locator("canvas").first()) > 50, "POV-Ray's picture is still shown");
+    assert.match(await page.locator(".check[data-tone=mixed]").innerText(), /6 questions without an answer/);
+    assert.deepEqual(watch, []);
+    await close();
+});
+
+test("a step that does not compile: the compiler's words once, its columns aligned, no hints", async () => {
+    const {page, watch, close} = await open("unbuilt");
+    assert.equal(await page.locator("h1").textContent(), "Step 1 does not compile");
+    const message = page.locator(".compiler pre");
+    assert.equal(await message.innerText(), COMPILER);
+    assert.equal((await page.locator("main").innerText()).split("centre'").length, 2, "told once");
+    const wide = (text) => message.evaluate((pre, t) => {
+        const ruler = pre.appendChild(document.createElement("span"));
+        ruler.textContent = t;
+        const width = ruler.getBoundingClientRect().width;
+        ruler.remove();
+        return width;
+    }, text);
+    assert.ok(Math.abs(await wide("iiiiiiiiii") - await wide("MMMMMMMMMM")) < 0.1, "monospace");
+    assert.equal(await page.locator(".check, .hint").count(), 0);
+    await page.locator(".rail-tasks a").first().click();
+    assert.equal(new URL(page.url()).hash, "#step-0");
+    assert.deepEqual(watch, []);
+    await close();
 });
 
 test("on paper both pictures stand beside each other, light, without controls", async () => {

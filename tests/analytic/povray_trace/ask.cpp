@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "references/files.h"
-#include "references/process.h"
+#include "support/files.h"
+#include "support/process.h"
 
 namespace rays::povray_trace {
 namespace {
@@ -53,25 +53,16 @@ Meetings ask_povray(const Povray& povray, const Primitive& primitive, const std:
 
 Meetings ask_solution(const std::filesystem::path& program, const Primitive& primitive,
                       const std::vector<TestRay>& rays) {
-    const TemporaryFolder temporary;
     const std::string scene = "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n" + primitive.sdl + "\n";
     std::string questions = fmt::format("scene {}\n{}", scene.size(), scene);
     for (const TestRay& ray : rays) {
         questions +=
             fmt::format("nearest {} {} {} {}\n", blanks(ray.origin), blanks(ray.direction), ray.nearest, kFarthest);
     }
-    const ProcessOrder order{.program = program,
-                             .arguments = {"--answer"},
-                             .folder = {},
-                             .environment = {},
-                             .input = temporary.path() / "questions",
-                             .output = temporary.path() / "answers",
-                             .seconds = kSeconds};
-    write_atomically(order.input, questions);
-    const ProcessEnd end = run_process(order);
-    if (!end.good()) throw std::runtime_error(fmt::format("{}: {}", program.string(), end.describe(order)));
+    const Ended ended = run_command({{program.string(), "--answer"}, questions, {}, only_time(kSeconds), true});
+    if (!ended.ok()) throw std::runtime_error(fmt::format("{}: {}", program.string(), how_it_ended(ended)));
 
-    std::istringstream answers(read_file(order.output));
+    std::istringstream answers(ended.out);
     Meetings result;
     for (const TestRay& ray : rays) {
         std::string line;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace rays {
@@ -35,6 +37,48 @@ TEST(Answer, EveryQueryGetsOneLineWhateverHappens) {
     EXPECT_EQ(lines[0], "error no scene");
     for (int i = 1; i < 6; ++i) EXPECT_TRUE(lines[std::size_t(i)].starts_with("error ")) << lines[std::size_t(i)];
     EXPECT_EQ(lines[6], "miss");  // a ray of NaNs meets nothing
+}
+
+/// Counts the lines that have left, which a crash cannot take back.
+class Counting : public std::stringbuf {
+public:
+    int left = 0;
+
+protected:
+    int sync() override {
+        const std::string text = str();
+        left = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+        return 0;
+    }
+};
+
+/// Before each line that is read, all earlier queries must have been answered for good.
+class Watching : public std::streambuf {
+public:
+    Watching(std::vector<std::string> lines, const Counting& out) : lines_(std::move(lines)), out_(out) {}
+
+protected:
+    int_type underflow() override {
+        if (at_ == lines_.size()) return traits_type::eof();
+        EXPECT_EQ(out_.left, static_cast<int>(at_));
+        std::string& line = lines_[at_++];
+        setg(line.data(), line.data(), line.data() + line.size());
+        return traits_type::to_int_type(line[0]);
+    }
+
+private:
+    std::vector<std::string> lines_;
+    const Counting& out_;
+    std::size_t at_ = 0;
+};
+
+TEST(Answer, EachAnswerLeavesBeforeTheNextQueryIsRead) {
+    Counting counting;
+    Watching watching({"inside 0 0 0 0\n", "fly\n", "inside 0 0 0 0\n"}, counting);
+    std::istream in(&watching);
+    std::ostream out(&counting);
+    answer_questions(in, out);
+    EXPECT_EQ(counting.left, 3);
 }
 
 TEST(Answer, ASceneMayHoldAnyBytes) {

@@ -44,6 +44,11 @@ expect 0 '"needed":true' "$render" "$scene" --needs --json
 expect 2 'run with --help|not expected' "$render" "$scene" --fly
 # A full disk: an error, the old picture kept, nothing half-written.
 if [ -w /dev/full ]; then expect 2 'cannot write' "$render" "$scene" -o "$dir/c.exr" --stats /dev/full; fi
+# Who has closed standard output is told so.
+if "$render" "$scene" --explain 160,120 >&- 2>"$dir/said" || ! grep -q 'standard output' "$dir/said"; then
+    echo "FAILED: no standard output"
+    failed=1
+fi
 # The starter renders, says what is missing, and where.
 expect 0 'unfinished 1\.1 .*camera.cpp|unfinished 1\.1 .*ray_casting.cpp' "$starter" "$scene" -o "$dir/s.exr" --width 32 --height 24
 [ -s "$dir/s.exr" ] || { echo "FAILED: the starter made no picture"; failed=1; }

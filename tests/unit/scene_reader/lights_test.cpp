@@ -43,6 +43,38 @@ TEST(LightReader, CylinderAndParallel) {
     EXPECT_EQ(scene.lights[1].kind, Light::Kind::point);
 }
 
+/// As POV-Ray 3.7.0.10 renders them: each pair gives the same picture to the last bit.
+TEST(LightReader, TheLastOfShadowlessSpotlightAndCylinderCounts) {
+    const std::string spot = "spotlight point_at 0 radius 5 falloff 8 tightness 3 ";
+    const std::pair<std::string, std::string> alike[] = {
+        {spot + "shadowless", "shadowless"},
+        {"shadowless " + spot, spot},
+        {"shadowless cylinder point_at 0", "cylinder point_at 0"},
+        {spot + "cylinder", "cylinder point_at 0"},
+        {"cylinder " + spot, "parallel " + spot},
+        {"cylinder point_at 0 radius 1 falloff 2 shadowless", "parallel point_at 0 shadowless"},
+    };
+    for (const auto& [words, same_words] : alike) {
+        const auto light_of = [](const std::string& text) {
+            return scene_of("light_source { <3,6,-4>, 1 " + text + " }").lights.at(0);
+        };
+        const Light light = light_of(words), same = light_of(same_words);
+        EXPECT_EQ(light.kind, same.kind) << words;
+        EXPECT_EQ(light.shadowless, same.shadowless) << words;
+        EXPECT_EQ(light.parallel, same.parallel) << words;
+        EXPECT_EQ(light.radius_rad, same.radius_rad) << words;
+        EXPECT_EQ(light.falloff_rad, same.falloff_rad) << words;
+        EXPECT_EQ(light.tightness, same.tightness) << words;
+        // Where a point light points does not matter.
+        if (light.parallel || light.kind != Light::Kind::point) {
+            EXPECT_TRUE(near(light.point_at, same.point_at)) << words;
+        }
+    }
+    // These are errors in POV-Ray, too: a shadowless light has no cone and no direction of its own.
+    EXPECT_TRUE(contains(error_of("light_source { y, 1 spotlight shadowless radius 3 }"), "'radius' needs spotlight"));
+    EXPECT_TRUE(contains(error_of("light_source { y, 1 shadowless point_at 0 }"), "'point_at' needs spotlight"));
+}
+
 TEST(LightReader, Area) {
     const Scene scene = scene_of(
         "light_source { 0, 1 area_light <2,0,0>, <0,0,3>, 4, 5 adaptive 1 jitter circular orient rotate 90*y }");

@@ -1,4 +1,4 @@
-#include "grader/process.h"
+#include "support/process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -19,13 +19,14 @@
 #include <fstream>
 #include <mutex>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #ifndef CLOSE_RANGE_CLOEXEC
 #define CLOSE_RANGE_CLOEXEC (1U << 2)
 #endif
 
-namespace rays::grader {
+namespace rays {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -122,15 +123,26 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
     return result;
 }
 
-std::vector<std::string> environment_for(const Command& command) {
+std::vector<std::string> inherited_environment() {
     std::vector<std::string> result;
-    if (command.own_environment) {
-        for (char** e = environ; *e; ++e) result.emplace_back(*e);
-        return result;
-    }
-    const std::string home = command.folder.empty() ? "/" : command.folder.string();
+    for (char** e = environ; *e; ++e) result.emplace_back(*e);
+    return result;
+}
+
+std::vector<std::string> clean_environment(const std::filesystem::path& folder) {
+    const std::string home = folder.empty() ? "/" : folder.string();
     // One malloc arena for two threads: arenas reserve address space, which RLIMIT_AS counts.
     return {"PATH=/usr/bin:/bin", "LANG=C.UTF-8", "HOME=" + home, "TMPDIR=" + home, "MALLOC_ARENA_MAX=2"};
+}
+
+std::vector<std::string> environment_for(const Command& command) {
+    auto result = command.own_environment ? inherited_environment() : clean_environment(command.folder);
+    for (const auto& [name, value] : command.environment) {
+        const std::string begin = name + "=";
+        std::erase_if(result, [&](const std::string& entry) { return entry.starts_with(begin); });
+        result.push_back(begin + value);
+    }
+    return result;
 }
 
 int parent_of(pid_t pid) {
@@ -262,9 +274,28 @@ int exec_error(const Descriptor& report) {
 
 }  // namespace
 
-std::string signal_text(int signal) {
-    const char* name = ::strsignal(signal);
-    return fmt::format("signal {} ({})", signal, name ? name : "unknown");
+std::string how_it_ended(const Ended& e) {
+    if (!e.started) return e.problem;
+    if (e.timed_out) return fmt::format("was stopped after {:.1f} s ({:.1f} s of processor time)", e.wall_s, e.cpu_s);
+    if (e.flooded) return "was stopped: it printed more text than allowed";
+    if (e.signal) {
+        const char* name = ::strsignal(e.signal);
+        return fmt::format("crashed: signal {} ({})", e.signal, name ? name : "unknown");
+    }
+    return e.exit == 0 ? std::string() : fmt::format("ended with status {}", e.exit);
+}
+
+std::filesystem::path find_program(const std::string& name) {
+    const char* path = std::getenv("PATH");
+    std::string_view rest(path == nullptr ? "" : path);
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(':'), rest.size());
+        const std::filesystem::path candidate = std::filesystem::path(rest.substr(0, end)) / name;
+        if (end > 0 && ::access(candidate.c_str(), X_OK) == 0 && !std::filesystem::is_directory(candidate))
+            return candidate;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return {};
 }
 
 Ended run_command(const Command& command) {
@@ -303,4 +334,4 @@ Ended run_command(const Command& command) {
     return ended;
 }
 
-}  // namespace rays::grader
+}  // namespace rays

@@ -1,4 +1,4 @@
-#include "references/sha256.h"
+#include "support/sha256.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays {
 namespace {
@@ -53,7 +53,7 @@ void absorb(State& state, std::string_view block) {
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
+std::array<std::uint8_t, 32> sha256_digest(std::string_view bytes) {
     State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     std::string_view rest = bytes;
     for (; rest.size() >= 64; rest.remove_prefix(64)) absorb(state, rest);
@@ -65,8 +65,15 @@ std::string sha256(std::string_view bytes) {
     for (int shift = 56; shift >= 0; shift -= 8) tail += static_cast<char>(bits >> shift & 0xff);
     for (std::size_t i = 0; i < tail.size(); i += 64) absorb(state, std::string_view(tail).substr(i, 64));
 
+    std::array<std::uint8_t, 32> digest;
+    for (std::size_t i = 0; i < digest.size(); ++i)
+        digest[i] = static_cast<std::uint8_t>(state[i / 4] >> (24 - 8 * (i % 4)));
+    return digest;
+}
+
+std::string sha256(std::string_view bytes) {
     std::string hex;
-    for (std::uint32_t w : state) hex += fmt::format("{:08x}", w);
+    for (const std::uint8_t byte : sha256_digest(bytes)) hex += fmt::format("{:02x}", byte);
     return hex;
 }
 

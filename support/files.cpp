@@ -1,4 +1,4 @@
-#include "references/files.h"
+#include "support/files.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -3,9 +3,10 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace rays::grader {
+namespace rays {
 
 /// 0 means: not limited.
 struct Limits {
@@ -17,12 +18,16 @@ struct Limits {
     int text_mb = 8;       ///< standard output and standard error, each; who writes more is killed
 };
 
+/// Nothing but the clock: for programs that are trusted.
+inline Limits only_time(double seconds) { return {0, seconds, 0, 0, 0, 8}; }
+
 struct Command {
     std::vector<std::string> argv;  ///< argv[0] is a path, or a name looked up in PATH
     std::string input;              ///< its standard input
     std::filesystem::path folder;   ///< its working directory; empty: this process's own
     Limits limits;
     bool own_environment = false;  ///< true: keeps this process's environment (compilers); false: a clean one
+    std::vector<std::pair<std::string, std::string>> environment = {};  ///< set in addition, or instead
 };
 
 struct Ended {
@@ -43,7 +48,11 @@ struct Ended {
 /// May be called from several threads. Never throws for anything that the command does.
 Ended run_command(const Command& command);
 
-/// "signal 11 (Segmentation fault)".
-std::string signal_text(int signal);
+/// What did not go well, to stand behind a subject: "crashed: signal 11 (Segmentation fault)", "was stopped after 5.0 s
+/// (4.9 s of processor time)", "ended with status 1". Empty when all did.
+std::string how_it_ended(const Ended& ended);
 
-}  // namespace rays::grader
+/// The program's full path along PATH, or an empty path.
+std::filesystem::path find_program(const std::string& name);
+
+}  // namespace rays
