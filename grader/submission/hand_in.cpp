@@ -10,7 +10,7 @@
 #include "grader/submission/handed_in.h"
 #include "grader/submission/template.h"
 #include "grader/text.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

@@ -9,7 +9,7 @@
 #include "grader/build.h"
 #include "grader/mutants.h"
 #include "grader/step_data.h"
-#include "references/files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

@@ -7,7 +7,7 @@
 #include "grader/grade.h"
 #include "grader/submission/hand_in.h"
 #include "grader/summary.h"
-#include "references/files.h"
+#include "support/files.h"
 #include "schema_check.h"
 
 namespace rays::grader {
