@@ -1,4 +1,5 @@
 // The queries of step 4: boxes, cells and octants one by one, and whole structures.
+#include <barrier>
 #include <thread>
 
 #include "4_partitioning/effort.h"
@@ -104,16 +105,16 @@ std::string walked_octants(const Stage&, Words& words) {
 
 // ---- Whole structures -------------------------------------------------------------------------------------------------
 
+/// Null when there is none: unfinished, as a rule.
 std::unique_ptr<Intersector> structure_of(const Stage& stage, Partition partition) {
-    if (partition == Partition::none) return make_exhaustive(stage.scene);
-    auto structure = make_structure(stage.scene, partition);
-    if (!structure) throw InputError("there is no structure");
-    return structure;
+    return partition == Partition::none ? make_exhaustive(stage.scene) : make_structure(stage.scene, partition);
 }
+const std::string kNoStructure = "error there is no structure";
 
 template <Partition kPartition>
 std::string nearest_through(const Stage& stage, Words& words) {
     const auto structure = structure_of(stage, kPartition);
+    if (!structure) return kNoStructure;
     const Ray ray = words.ray();
     const auto hit = structure->nearest(ray, words.interval());
     return hit ? fmt::format("hit {} {}", questions::text(hit->t), hit->object) : "miss";
@@ -122,6 +123,7 @@ std::string nearest_through(const Stage& stage, Words& words) {
 template <Partition kPartition>
 std::string occluded_through(const Stage& stage, Words& words) {
     const auto structure = structure_of(stage, kPartition);
+    if (!structure) return kNoStructure;
     const Ray ray = words.ray();
     return questions::text(structure->occluded(ray, words.interval()));
 }
@@ -130,12 +132,15 @@ std::string occluded_through(const Stage& stage, Words& words) {
 template <Partition kPartition>
 std::string agreement(const Stage& stage, Words& words) {
     const auto structure = structure_of(stage, kPartition), truth = structure_of(stage, Partition::none);
+    if (!structure) return kNoStructure;
     const int count = words.integer(), seed = words.integer();
     std::vector<Agreement> results(static_cast<std::size_t>(std::clamp(words.integer(), 1, 8)));
+    std::barrier together(static_cast<std::ptrdiff_t>(results.size()));
     {
         std::vector<std::jthread> threads;
         for (std::size_t i = 0; i < results.size(); ++i)
             threads.emplace_back([&, i] {
+                together.arrive_and_wait();
                 results[i] = compare(stage.scene, *structure, *truth, static_cast<std::size_t>(count), static_cast<std::uint64_t>(seed) + i);
             });
     }
@@ -148,6 +153,7 @@ std::string agreement(const Stage& stage, Words& words) {
 template <Partition kPartition>
 std::string effort_of(const Stage& stage, Words& words) {
     const auto structure = structure_of(stage, kPartition);
+    if (!structure) return kNoStructure;
     const int count = words.integer();
     HardRays rays(stage.scene, static_cast<std::uint64_t>(words.integer()));
     EffortCount counted;
