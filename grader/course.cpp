@@ -8,6 +8,10 @@ std::vector<Question> questions_of(int step, std::uint64_t seed) {
             return questions_1_ray_casting(seed);
         case 2:
             return questions_2_phong(seed);
+        case 3:
+            return questions_3_recursion(seed);
+        case 4:
+            return questions_4_partitioning(seed);
         default:
             return {};
     }
@@ -19,6 +23,10 @@ std::vector<Sweep> sweeps_of(int step, std::uint64_t seed) {
             return sweeps_1_ray_casting(seed);
         case 2:
             return sweeps_2_phong(seed);
+        case 3:
+            return sweeps_3_recursion(seed);
+        case 4:
+            return sweeps_4_partitioning(seed);
         default:
             return {};
     }

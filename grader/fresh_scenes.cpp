@@ -2,50 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
-#include <functional>
-#include <map>
-#include <random>
+
+#include "grader/fresh_recipes.h"
 
 namespace rays::grader {
 namespace {
 
+using namespace fresh;
+
 constexpr double kTwoPi = 6.283185307179586;
-
-using V = std::array<double, 3>;
-
-/// Numbers of three decimals: exact in every reader, and easy to read.
-class Dice {
-public:
-    explicit Dice(std::uint64_t seed) : engine_(seed) {}
-    double between(double low, double high) {
-        const double unit = static_cast<double>(engine_() >> 11) * 0x1p-53;
-        return std::round(1000 * (low + (high - low) * unit)) / 1000;
-    }
-    int whole(int low, int high) {
-        return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-    }
-    bool heads() { return engine_() >> 63; }
-    V place(double reach) { return {between(-reach, reach), between(-reach, reach), between(-reach, reach)}; }
-    V direction() {
-        V v;
-        do v = place(1);
-        while (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < 0.1 || v[0] * v[0] + v[1] * v[1] + v[2] * v[2] > 1);
-        return v;
-    }
-
-private:
-    std::mt19937_64 engine_;
-};
-
-std::string text(const V& v) { return fmt::format("<{}, {}, {}>", v[0], v[1], v[2]); }
-std::string color(Dice& d) {
-    return fmt::format("rgb <{}, {}, {}>", d.between(0.2, 1), d.between(0.2, 1), d.between(0.2, 1));
-}
-
-// Matt and bright from every side, so that a picture about shapes depends on shapes and normals only.
-std::string matt(Dice& d) { return fmt::format("pigment {{ {} }} finish {{ ambient 0.2 diffuse 0.7 }}", color(d)); }
 
 struct View {
     V location{0, 0, -6};
@@ -60,11 +26,6 @@ View camera(Dice& d) {
     view.sdl = fmt::format("camera {{ perspective location {} right 4/3*x up y angle {} look_at {} }}\n",
                            text(view.location), d.between(45, 60), text(d.place(0.3)));
     return view;
-}
-
-std::string lamp(Dice& d, const std::string& more = "shadowless") {
-    return fmt::format("light_source {{ {}, rgb {} {} }}\n",
-                       text({d.between(-9, 9), d.between(6, 12), d.between(-9, 9)}), d.between(0.7, 1), more);
 }
 
 // ---- shapes
@@ -225,13 +186,10 @@ std::string spot(Dice& d) {
 std::string parallel(Dice& d) { return lamp(d, fmt::format("parallel point_at {} shadowless", text(d.place(0.8)))); }
 std::string room(Dice& d) { return fmt::format("plane {{ y, -2 {} }}\n", matt(d)); }
 
-struct Recipe {
-    std::function<std::string(Dice&)> things, lamps = [](Dice&d) { return lamp(d); };
-};
-
-const std::map<std::string, Recipe>& recipes() {
+const Recipes& recipes() {
     const auto twice = [](std::string (*make)(Dice&)) { return [make](Dice& d) { return make(d) + make(d); }; };
-    static const std::map<std::string, Recipe> table{
+    static const Recipes table = [&] {
+        Recipes all{
         {"1.1", {[](Dice& d) { return sphere(d) + sphere(d) + plane(d); }}},
         {"1.2", {[](Dice& d) { return sphere(d) + sphere(d) + plane(d); }}},
         {"1.3", {[](Dice& d) { return sphere(d) + sphere(d) + sphere(d); }}},
@@ -264,6 +222,9 @@ const std::map<std::string, Recipe>& recipes() {
          {[](Dice& d) { return room(d) + phong(d) + blinn(d); },
           [](Dice& d) { return lamp(d, "") + lamp(d, "") + spot(d); }}},
     };
+        add_recursion(all);
+        return all;
+    }();
     return table;
 }
 

@@ -13,6 +13,8 @@
 #include "core/error.h"
 #include "grader/grade_step.h"
 #include "grader/student_build.h"
+#include "grader/submission/archive.h"
+#include "grader/submission/handed_in.h"
 #include "grader/text.h"
 #include "support/files.h"
 #include "references/manifest.h"
@@ -126,10 +128,30 @@ void add_report(const fs::path& out) {
 
 // The first infrastructure error of any check makes the whole result one: it is no grade.
 void look_for_infrastructure_errors(Results& results) {
-    for (const StepResult& s : results.steps)
-        for (const Check& c : s.checks)
+    const auto look = [&](const std::vector<Check>& checks) {
+        for (const Check& c : checks)
             if (c.verdict == Verdict::infrastructure_error && results.infrastructure_error.empty())
                 results.infrastructure_error = c.id + ": " + c.message;
+    };
+    for (const StepResult& s : results.steps) look(s.checks);
+    if (results.handed_in) look(results.handed_in->checks);
+}
+
+// Where submission.json is looked for: in what was submitted, or beside the working copy's steps. Pictures need all
+// steps, so a run that grades some of them only does not look at them; nor is the solution a submission.
+std::optional<fs::path> handed_in_folder(const Project& project, const GradeOptions& options, const fs::path& submission) {
+    if (!options.steps.empty()) return {};
+    if (options.submission) return submission;
+    const fs::path working_copy = project.root / "submission";
+    if (options.from == "student" && fs::exists(working_copy / kSubmissionFile)) return working_copy;
+    return {};
+}
+
+fs::path submitted_folder(const Project& project, const GradeOptions& options, const fs::path& scratch) {
+    if (!options.submission) return project.root / (options.from == "solution" ? "solutions" : "steps");
+    if (fs::is_directory(*options.submission)) return fs::absolute(*options.submission);
+    if (!fs::is_regular_file(*options.submission)) throw InputError(options.submission->string() + ": no such folder or archive");
+    return unpack(*options.submission, scratch);
 }
 
 }  // namespace
@@ -138,8 +160,8 @@ Results grade(const Project& project, const GradeOptions& options) {
     const auto begin = Clock::now();
     if (options.from != "student" && options.from != "solution")
         throw InputError("--from " + options.from + ": need student or solution");
-    if (options.submission && !fs::is_directory(*options.submission))
-        throw InputError(options.submission->string() + ": no such folder");
+    const TemporaryFolder scratch;
+    const fs::path submission = submitted_folder(project, options, scratch.path());
     const auto all_steps = read_steps(project.steps());
     const auto steps = wanted_steps(all_steps, options.steps);
     const Rubric rubric = read_rubric(project.root / "grader" / "rubric.json");
@@ -152,17 +174,14 @@ Results grade(const Project& project, const GradeOptions& options) {
     const auto save = [&](bool complete) {
         results.complete = complete;
         results.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-        results.rubric = rubric_results(rubric, all_steps, results.steps);
-        add_up(results);
+        results.rubric = rubric_results(rubric, all_steps, results.steps, results.handed_in);
+        add_up(results, rubric.extra_limit);
         look_for_infrastructure_errors(results);
         write_results(results, out / "results.json");
     };
     save(false);
     say("building the submission");
     const TemporaryFolder objects;
-    const fs::path submission = options.submission
-                                    ? fs::absolute(*options.submission)
-                                    : project.root / (options.from == "solution" ? "solutions" : "steps");
     const int workers = std::max(1, results.cores);
     const StudentPrograms programs =
         options.from == "solution" && !options.submission
@@ -184,6 +203,12 @@ Results grade(const Project& project, const GradeOptions& options) {
                         workers};
         results.steps.push_back(grade_step(order));
         save(false);
+    }
+    if (const auto folder = handed_in_folder(project, options, submission); folder && results.infrastructure_error.empty()) {
+        say("grading pictures and report");
+        results.handed_in = grade_handed_in({project, *sandbox, project.program("render-solution"), programs.all_mine, *folder,
+                                             out, limits, workers},
+                                            rubric);
     }
     save(true);
     if (options.report) {

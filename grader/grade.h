@@ -16,7 +16,7 @@ namespace rays::grader {
 struct GradeOptions {
     std::vector<int> steps;                           ///< empty: all that are built
     std::string from = "student";                     ///< or "solution"
-    std::optional<std::filesystem::path> submission;  ///< a folder with the student's files; else the working copy
+    std::optional<std::filesystem::path> submission;  ///< a folder or an archive of the student's; else the working copy
     std::filesystem::path out;                        ///< gets results.json, images/ and index.html
     std::optional<std::uint64_t> seed;                ///< of questions and fresh scenes; else a new one for every run
     bool report = true;
@@ -25,11 +25,13 @@ struct GradeOptions {
 /// Throws InputError for wrong use.
 Results grade(const Project& project, const GradeOptions& options);
 
-/// The rows of the rubric: a row gets the share of its points that its tasks and their pictures earned.
+/// The rows of the rubric: a row gets the share of its points that its tasks and their pictures earned, and the rows
+/// "pictures" and "report" what the checks of the hand-in earned.
 std::vector<RubricResult> rubric_results(const Rubric& rubric, const std::vector<Step>& all_steps,
-                                         const std::vector<StepResult>& graded);
+                                         const std::vector<StepResult>& graded,
+                                         const std::optional<HandedIn>& handed_in = {});
 
-/// Sum of the graded rows, extra ones left out.
-void add_up(Results& results);
+/// Sum of the graded rows, and of the extra ones apart, these at most `extra_limit`.
+void add_up(Results& results, double extra_limit = 30);
 
 }  // namespace rays::grader

@@ -131,6 +131,11 @@ Target target_of(const Bench& bench, const SceneTask& scene) {
     return target;
 }
 
+std::vector<std::string> options_of(const SceneTask& scene) {
+    if (scene.partition.empty()) return {};
+    return {"--partition", scene.partition};
+}
+
 Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& program, const std::string& mode) {
     Check check;
     const bool isolated = mode == "isolated";
@@ -143,7 +148,7 @@ Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& 
     check.image.emplace().scene = scene.scene;
     try {
         const Target target = target_of(bench, scene);
-        const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits);
+        const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits, options_of(scene));
         check.image->student = kept(bench, check.id, shot.exr);
         if (!bench.out.empty()) check.image->reference = fs::relative(target.reference, bench.out).string();
         check.image->width = target.truth.raster().width;

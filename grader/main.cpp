@@ -1,11 +1,13 @@
 // rays-grader: grades a submission, and grades the grader with mutants.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
 #include "core/error.h"
 #include "grader/grade.h"
 #include "grader/mutant_run.h"
+#include "grader/submission/hand_in.h"
 #include "grader/summary.h"
 #include "support/files.h"
 
@@ -25,10 +27,12 @@ struct Arguments {
 
 int status_of(const Results& results) {
     if (!results.infrastructure_error.empty()) return kInfrastructureError;
+    const auto all_passed = [](const std::vector<Check>& checks) {
+        return std::all_of(checks.begin(), checks.end(), [](const Check& c) { return c.verdict == Verdict::pass; });
+    };
     for (const StepResult& step : results.steps)
-        for (const Check& check : step.checks)
-            if (check.verdict != Verdict::pass) return kCheckFailed;
-    return kSuccess;
+        if (!all_passed(step.checks)) return kCheckFailed;
+    return results.handed_in && !all_passed(results.handed_in->checks) ? kCheckFailed : kSuccess;
 }
 
 int run_grade(const CLI::App& command, Arguments& a) {
@@ -39,6 +43,14 @@ int run_grade(const CLI::App& command, Arguments& a) {
     const Results results = grade(project, a.grade);
     std::cout << (a.json ? to_json(results) : summary(results, a.grade.out));
     return status_of(results);
+}
+
+int run_hand_in(const Arguments& a) {
+    const Project project = find_project();
+    const std::filesystem::path out = a.out.empty() ? project.root / "submission.tar.gz" : std::filesystem::path(a.out);
+    const HandInResult result = hand_in(project, working_copy(project), out);
+    std::cout << hand_in_text(result, out);
+    return is_complete(result) ? kSuccess : kCheckFailed;
 }
 
 int run_summary(const Arguments& a) {
@@ -54,10 +66,12 @@ int run(int argc, char** argv) {
     auto* grade = app.add_subcommand("grade", "grade the working copy, a submission, or the solutions");
     grade->add_option("step", a.grade.steps, "numbers of steps; none: all");
     grade->add_option("--from", a.grade.from, "student or solution")->capture_default_str();
-    grade->add_option("--submission", a.submission, "a folder with the student's files, as in steps/ or flat");
+    grade->add_option("--submission", a.submission, "a folder (or .tar.gz, .zip) with the student's files, as in steps/ or flat");
     grade->add_option("--out", a.out, "folder for results.json, images/ and index.html; default report/out");
     grade->add_option("--seed", a.seed, "of questions and fresh scenes; default: a new one for every run");
     grade->add_flag("--json", a.json, "print results.json instead of the summary");
+    auto* submission = app.add_subcommand("submission", "render, check and pack what is handed in");
+    submission->add_option("--out", a.out, "a folder, or a file that ends in .tar.gz; default submission.tar.gz");
     auto* mutants = app.add_subcommand("mutants", "grade every typical mistake of grader/mutants");
     mutants->add_option("step", a.mutants.steps, "numbers of steps; none: all");
     mutants->add_option("--only", a.mutants.only, "ids of mutants");
@@ -74,6 +88,7 @@ int run(int argc, char** argv) {
         return kBadInput;
     }
     if (grade->parsed()) return run_grade(*grade, a);
+    if (submission->parsed()) return run_hand_in(a);
     if (show->parsed()) return run_summary(a);
     return run_mutants(find_project(), a.mutants);
 }

@@ -48,7 +48,11 @@ struct Sweep {
 /// Fresh for every seed. At least 24 questions a task, the typical mistakes of methods.md among them.
 std::vector<Question> questions_1_ray_casting(std::uint64_t seed);
 std::vector<Question> questions_2_phong(std::uint64_t seed);
+std::vector<Question> questions_3_recursion(std::uint64_t seed);
+std::vector<Question> questions_4_partitioning(std::uint64_t seed);
 std::vector<Sweep> sweeps_1_ray_casting(std::uint64_t seed);
 std::vector<Sweep> sweeps_2_phong(std::uint64_t seed);
+std::vector<Sweep> sweeps_3_recursion(std::uint64_t seed);
+std::vector<Sweep> sweeps_4_partitioning(std::uint64_t seed);
 
 }  // namespace rays::grader

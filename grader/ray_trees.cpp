@@ -25,7 +25,8 @@ struct Query {
     std::string kind;
     int depth = 0;
     V origin{0}, direction{0};
-    bool hit = false, blocked = false;
+    bool hit = false, blocked = false, pruned = false;
+    double weight = 1;
     double t = 0;
     int object = 0;
     V normal{0};
@@ -48,6 +49,8 @@ std::optional<std::vector<Query>> parse(const std::string& text) {
             query.origin = vector_of(q.at("origin"));
             query.direction = vector_of(q.at("direction"));
             query.blocked = q.at("blocked");
+            query.pruned = q.value("pruned", false);
+            query.weight = q.value("weight", 1.0);
             query.radiance = vector_of(q.at("radiance"));
             const json& hit = q.at("hit");
             query.hit = !hit.is_null();
@@ -92,6 +95,11 @@ std::string hit_difference(const Query& a, const Query& b) {
         return a.blocked == b.blocked ? ""
                : a.blocked            ? "is blocked; the solution's reaches the light"
                                       : "reaches the light; the solution's is blocked";
+    if (a.pruned != b.pruned)
+        return a.pruned ? fmt::format("is not traced (weight {:.4g}); the solution's is", a.weight)
+                        : fmt::format("is traced (weight {:.4g}); the solution's is not (weight {:.4g})", a.weight, b.weight);
+    if (!near(a.weight, b.weight, 0))
+        return fmt::format("has the weight {:.6g}; the solution's has {:.6g}", a.weight, b.weight);
     if (a.hit != b.hit)
         return a.hit ? fmt::format("hits object {} at t = {:.6g}; the solution's misses everything", a.object, a.t)
                      : fmt::format("misses everything; the solution's hits object {} at t = {:.6g}", b.object, b.t);

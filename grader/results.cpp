@@ -125,6 +125,16 @@ Json json_of(const StepResult& s) {
             {"checks", list(s.checks)}};
 }
 
+Json json_of(const HandedIn& h) {
+    return {{"id", "handed_in"},
+            {"title", "Pictures and report"},
+            {"verdict", to_string(h.verdict)},
+            {"points", rounded(h.points)},
+            {"max", h.max},
+            {"checks", list(h.checks)},
+            {"report", h.report}};
+}
+
 Json json_of(const RubricResult& r) {
     return {{"id", r.id},         {"title", r.title}, {"points", rounded(r.points)}, {"max", r.max}, {"extra", r.extra},
             {"graded", r.graded}, {"note", r.note}};
@@ -139,7 +149,7 @@ Json list(const std::vector<T>& items) {
 
 Json json_of(const Results& r) {
     const bool broken = !r.infrastructure_error.empty();
-    return {
+    Json j{
         {"schema", kSchema},
         {"created", r.created},
         {"submission", {{"name", r.submission_name}, {"from", r.submission_from}}},
@@ -154,9 +164,11 @@ Json json_of(const Results& r) {
         {"complete", r.complete},
         {"status", broken ? "infrastructure error" : "graded"},
         {"message", r.infrastructure_error},
-        {"score", {{"points", rounded(r.points)}, {"max", r.max}}},
+        {"score", {{"points", rounded(r.points)}, {"max", r.max}, {"extra", rounded(r.extra)}}},
         {"rubric", list(r.rubric)},
         {"steps", list(r.steps)}};
+    if (r.handed_in) j["handed_in"] = json_of(*r.handed_in);
+    return j;
 }
 
 // ---- reading, for the summary and the exporters: no pictures' details, no charts
@@ -203,6 +215,12 @@ Results results_of(const Json& j) {
         r.rubric.push_back({row.at("id"), row.at("title"), row.at("points"), row.at("max"), row.at("extra"),
                             row.at("graded"), row.at("note")});
     for (const Json& s : j.at("steps")) r.steps.push_back(step_of(s));
+    r.extra = j.at("score").value("extra", 0.0);
+    if (j.contains("handed_in")) {
+        const Json& h = j.at("handed_in");
+        r.handed_in = HandedIn{verdict_of(h.at("verdict")), h.at("points"), h.at("max"), {}, h.at("report")};
+        for (const Json& c : h.at("checks")) r.handed_in->checks.push_back(check_of(c));
+    }
     return r;
 }
 

@@ -59,7 +59,7 @@ struct Chart {
 struct Check {
     std::string id;                 ///< "1.3.unit", "1.picture.one_sphere", "1.3.fresh", "1.3.distance"
     std::string task;               ///< the task it belongs to
-    std::string kind;               ///< "unit", "image", "fresh" or "stability"
+    std::string kind;               ///< "unit", "image", "fresh", "stability", "demonstration" or "report"
     std::string mode = "isolated";  ///< or "all mine"
     std::string title;
     Verdict verdict = Verdict::fail;
@@ -94,6 +94,14 @@ struct StepResult {
     std::vector<Check> checks;
 };
 
+/// Pictures and report, judged by grader/submission.
+struct HandedIn {
+    Verdict verdict = Verdict::not_started;
+    double points = 0, max = 0;
+    std::vector<Check> checks;
+    std::string report;  ///< the prose as it came, without control characters: hostile
+};
+
 struct RubricResult {
     std::string id, title;
     double points = 0, max = 0;
@@ -116,8 +124,10 @@ struct Results {
     bool complete = false;             ///< false: a partial result, rewritten when the next step is done
     std::string infrastructure_error;  ///< not empty: this is no grade
     double points = 0, max = 0;
+    double extra = 0;  ///< of the extra rows, at most what the rubric allows
     std::vector<RubricResult> rubric;
     std::vector<StepResult> steps;
+    std::optional<HandedIn> handed_in;  ///< none: this run did not look at what is handed in
 };
 
 std::string to_json(const Results& results);

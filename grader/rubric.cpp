@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "grader/grade.h"
+#include "grader/submission/handed_in.h"
 
 namespace rays::grader {
 namespace {
@@ -31,6 +32,19 @@ void add_step(Sum& sum, const RubricRow& row, const Step& step, const StepResult
     }
 }
 
+bool is_handed_in(const RubricRow& row) { return row.id == "pictures" || row.id == "report"; }
+
+RubricResult handed_in_row(const RubricRow& row, const std::optional<HandedIn>& handed_in) {
+    RubricResult r{row.id, row.title, 0, row.points, row.extra, handed_in.has_value(), row.note};
+    if (!handed_in) {
+        r.note = "not graded in this run: comes with a submission (./rays submission) and all steps";
+        return r;
+    }
+    for (const Check& c : handed_in->checks)
+        if (row_of(c) == row.id) r.points += c.points;
+    return r;
+}
+
 bool concerns(const RubricRow& row, const Step& step) {
     return std::any_of(step.tasks.begin(), step.tasks.end(), [&](const Task& t) { return counts(row, step, t.id); });
 }
@@ -38,9 +52,14 @@ bool concerns(const RubricRow& row, const Step& step) {
 }  // namespace
 
 std::vector<RubricResult> rubric_results(const Rubric& rubric, const std::vector<Step>& all_steps,
-                                         const std::vector<StepResult>& graded) {
+                                         const std::vector<StepResult>& graded,
+                                         const std::optional<HandedIn>& handed_in) {
     std::vector<RubricResult> rows;
     for (const RubricRow& row : rubric.rows) {
+        if (is_handed_in(row)) {
+            rows.push_back(handed_in_row(row, handed_in));
+            continue;
+        }
         Sum sum;
         for (const Step& step : all_steps) {
             if (!concerns(row, step)) continue;
@@ -64,10 +83,14 @@ std::vector<RubricResult> rubric_results(const Rubric& rubric, const std::vector
     return rows;
 }
 
-void add_up(Results& results) {
-    results.points = results.max = 0;
+void add_up(Results& results, double extra_limit) {
+    results.points = results.max = results.extra = 0;
     for (const RubricResult& row : results.rubric) {
-        if (!row.graded || row.extra) continue;
+        if (!row.graded) continue;
+        if (row.extra) {
+            results.extra = std::min(extra_limit, results.extra + row.points);
+            continue;
+        }
         results.points += row.points;
         results.max += row.max;
     }

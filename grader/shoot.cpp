@@ -36,8 +36,9 @@ SceneFiles scene_files(const fs::path& scene) {
 }
 
 Shot shoot(const Sandbox& sandbox, const fs::path& program, const SceneFiles& files, Raster raster,
-           const Limits& limits) {
+           const Limits& limits, const std::vector<std::string>& options) {
     Job job = job_for(program, files, raster, limits);
+    job.arguments.insert(job.arguments.end(), options.begin(), options.end());
     for (const char* argument : {"-o", kPicture, "--stats", kStats}) job.arguments.emplace_back(argument);
     job.outputs = {kPicture, kStats};
     JobResult result = sandbox.run(job);

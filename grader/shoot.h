@@ -25,8 +25,9 @@ struct Shot {
     double seconds = 0;
 };
 
+/// `options` are further arguments: "--without", "reflection".
 Shot shoot(const Sandbox& sandbox, const std::filesystem::path& program, const SceneFiles& files, Raster raster,
-           const Limits& limits);
+           const Limits& limits, const std::vector<std::string>& options = {});
 
 /// The ray tree of a pixel, as text or as JSON; empty when the program does not give one.
 std::string ray_tree(const Sandbox& sandbox, const std::filesystem::path& program, const SceneFiles& files,

@@ -21,6 +21,7 @@ struct SceneTask {
     std::vector<std::string> tasks;  ///< the first one's rubric row gets the points
     double points = 0;
     std::string shows;
+    std::string partition;  ///< with which structure it is rendered: "grid"; empty: as the program chooses
 };
 
 struct Step {
@@ -42,6 +43,7 @@ struct RubricRow {
     double points = 0;
     bool extra = false;
     std::vector<std::string> counts;  ///< the `rubric` words of tasks that count for it; its own id when none is given
+    std::vector<std::string> shows;   ///< features that pictures of a hand-in must show; equal shares of its points
     std::string note;                 ///< why it is not graded yet, when no task counts for it
 };
 

@@ -72,6 +72,17 @@ std::string step_text(const StepResult& step, const std::filesystem::path& out) 
     return text + wrong_checks(step, out);
 }
 
+std::string handed_in_text(const HandedIn& handed_in, const std::filesystem::path& out) {
+    std::string text = fmt::format("{:<52} {:<14} {:>6} / {}\n", "Pictures and report", to_string(handed_in.verdict),
+                                   points(handed_in.points), points(handed_in.max));
+    for (const Check& c : handed_in.checks)
+        if (c.max > 0)
+            text += fmt::format("  {:<50} {:<14} {:>6} / {}\n", plain(c.title, 50), to_string(c.verdict), points(c.points), points(c.max));
+    for (const Check& c : handed_in.checks)
+        if (c.verdict != Verdict::pass) text += check_lines(c, out, true);
+    return text;
+}
+
 std::string rubric_text(const Results& r) {
     std::string text = "The assignment\n";
     for (const RubricResult& row : r.rubric)
@@ -87,15 +98,14 @@ std::string rubric_text(const Results& r) {
 std::string summary(const Results& r, const std::filesystem::path& out) {
     std::string text;
     for (const StepResult& step : r.steps) text += step_text(step, out) + "\n";
+    if (r.handed_in) text += handed_in_text(*r.handed_in, out) + "\n";
     if (!r.rubric.empty()) text += rubric_text(r) + "\n";
     if (!r.infrastructure_error.empty())
         text += "INFRASTRUCTURE ERROR, this is no grade: " + plain(r.infrastructure_error, 600) + "\n";
     if (r.real == "float")
         text += "Built with RAYSTEPS_REAL=float: exact pictures and full marks are promised for double only.\n";
-    double extra = 0;
-    for (const RubricResult& row : r.rubric) extra += row.graded && row.extra ? row.points : 0;
     text += fmt::format("Score: {} of {} points that can be graded today{}; seed {}, {:.1f} s, sandbox tier \"{}\"{}\n",
-                        points(r.points), points(r.max), extra > 0 ? fmt::format(", and {} extra", points(extra)) : "",
+                        points(r.points), points(r.max), r.extra > 0 ? fmt::format(", and {} extra", points(r.extra)) : "",
                         r.seed, r.seconds, r.sandbox_tier, r.complete ? "" : "; PARTIAL RESULT");
     return text + "Results: " + (out / "results.json").string() + "\n";
 }

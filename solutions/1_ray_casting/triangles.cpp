@@ -217,6 +217,21 @@ std::optional<Root> intersect(const Mesh& mesh, const Ray& ray, Interval range) 
     //< 1.14
 }
 
+std::optional<Root> intersect(const Mesh& mesh, std::uint32_t face, const Ray& ray, Interval range) {
+    //> 1.14 The face as a triangle of its own; Root::part is its number. Culled as in the mesh: structures of step 4
+    //>   ask face by face and must find the same.
+    const auto [ia, ib, ic] = mesh.faces[face].position;
+    const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
+    auto root = intersect(Triangle{a, b, c}, ray, range);
+    if (!root) return root;
+    if (mesh.outward_winding != 0 && back_facing(cross(b - a, c - a), Real(mesh.outward_winding) * ray.direction) &&
+        !contains(mesh.bound, ray.at(range.min)))
+        return std::nullopt;
+    root->part = face;
+    return root;
+    //< 1.14
+}
+
 Vec3 normal(const Mesh& mesh, const Vec3&, const Root& root) {
     //> 1.14 That of the face.
     const auto [a, b, c] = mesh.faces[root.part].position;

@@ -73,6 +73,24 @@ Vec3 facing(const Vec3& normal, const Vec3& to_viewer) {
     //< 2.1
 }
 
+//> given
+Surface surface_at(const Scene& scene, const Hit& hit, const Vec3& to_viewer) {
+    const Material& material = scene.materials[hit.material];
+    Surface surface;
+    surface.point = hit.point;
+    surface.geometric_normal = facing(hit.normal, to_viewer);
+    surface.normal = facing(hit.shading_normal, to_viewer);
+    surface.to_viewer = to_viewer;
+    const Color color = pigment_at(scene, material.pigment, hit.point);
+    surface.color = color.rgb;
+    surface.opacity = 1 - color.filter - color.transmit;
+    // The fourth lane of an RGB scene stays empty: weights look at the largest lane.
+    surface.clear = color.filter * color.rgb + Radiance(color.transmit, color.transmit, color.transmit);
+    surface.finish = &material.finish;
+    return surface;
+}
+//< given
+
 // ---- Tasks 2.2 to 2.5: what the surface does with light -------------------------------------------------------------
 
 Radiance ambient(const Surface& surface, const Radiance& ambient_light) {
@@ -203,16 +221,18 @@ bool any_occluder(const Scene& scene, const Ray& ray, Interval range) {
 
 // ---- Task 2.10: the sum ---------------------------------------------------------------------------------------------
 
-Radiance direct_light(const Scene& scene, const Intersector& intersector, const Surface& surface) {
-    //> 2.10 Ambient light once, and for every light that is not in shadow diffuse, phong and blinn. A shadowless
-    //>   light is never in shadow and makes no highlights. Do not ask for a shadow where no light would arrive anyway.
+Radiance direct_light(const Scene& scene, const Visibility& visibility, const Surface& surface) {
+    //> 2.10 Ambient light once, and for every light diffuse, phong and blinn, its radiance first multiplied by its
+    //>   visibility. A shadowless light is fully visible and makes no highlights. Do not ask for visibility where no
+    //>   light would arrive anyway.
     const Finish& finish = *surface.finish;
     Radiance sum = ambient(surface, scene.settings.ambient_light);
     if (!(finish.diffuse > 0) && !(finish.phong > 0) && !(finish.specular > 0)) return sum;
     for (const Light& source : scene.lights) {
-        const Illumination light = illuminate(source, surface.point);
+        Illumination light = illuminate(source, surface.point);
         if (light.radiance.is_black() || !(cosine(surface.normal, light.to_light) > 0)) continue;
-        if (!source.shadowless && in_shadow(intersector, surface, light)) continue;
+        if (!source.shadowless) light.radiance *= visibility.of(surface, light);
+        if (light.radiance.is_black()) continue;
         sum += diffuse(surface, light);
         if (!source.shadowless) sum += phong(surface, light) + blinn(surface, light);
     }

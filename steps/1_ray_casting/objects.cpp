@@ -86,12 +86,33 @@ std::optional<Root> first_unclipped(const Scene& scene, const ClipList& clips, c
 
 }  // namespace
 
-std::optional<Root> intersect(const Scene& scene, const Object& object, const Ray& ray, Interval range) {
+namespace {
+
+/// In the object's own space, and not where a clip cuts it away. intersect_shape(shape, local ray, range) finds roots.
+template <class IntersectShape>
+std::optional<Root> intersect_placed(const Scene& scene, const Object& object, const Ray& ray, Interval range,
+                                     IntersectShape intersect_shape) {
     const Ray local = object.transform == kNone ? ray : ray_to_local(scene.transforms[object.transform], ray);
     return with_shape(scene, object, [&](const auto& shape) -> std::optional<Root> {
-        if (object.clip == kNone) return intersect(shape, local, range);
+        if (object.clip == kNone) return intersect_shape(shape, local, range);
         return first_unclipped(scene, scene.clips[object.clip], ray, range,
-                               [&](Interval rest) { return intersect(shape, local, rest); });
+                               [&](Interval rest) { return intersect_shape(shape, local, rest); });
+    });
+}
+
+}  // namespace
+
+std::optional<Root> intersect(const Scene& scene, const Object& object, const Ray& ray, Interval range) {
+    return intersect_placed(scene, object, ray, range, [](const auto& shape, const Ray& local, Interval rest) {
+        return intersect(shape, local, rest);
+    });
+}
+
+std::optional<Root> intersect_part(const Scene& scene, const Object& object, std::uint32_t part, const Ray& ray,
+                                   Interval range) {
+    return intersect_placed(scene, object, ray, range, [&](const auto& shape, const Ray& local, Interval rest) {
+        if constexpr (requires { shape.faces; }) return intersect(shape, part, local, rest);
+        else return intersect(shape, local, rest);
     });
 }
 

@@ -30,6 +30,8 @@ std::optional<Root> intersect(const SmoothTriangle& triangle, const Ray& ray, In
 std::optional<Root> intersect(const Polygon& polygon, const Ray& ray, Interval range);
 /// Root::part is the face.
 std::optional<Root> intersect(const Mesh& mesh, const Ray& ray, Interval range);
+/// One face of a mesh: what the mesh's nearest face is chosen from. For structures that partition meshes (step 4).
+std::optional<Root> intersect(const Mesh& mesh, std::uint32_t face, const Ray& ray, Interval range);
 /// Root::part is the side: x-, x+, y-, y+, z-, z+ are 0..5.
 std::optional<Root> intersect(const Box& box, const Ray& ray, Interval range);
 std::optional<Root> intersect(const Disc& disc, const Ray& ray, Interval range);
@@ -90,6 +92,10 @@ bool inside(const Scene& scene, const Object& object, const Vec3& point);
 /// The smallest root of one object of the scene in the range: transform and clips obeyed. Roots that a clip cuts away
 /// are passed over.
 std::optional<Root> intersect(const Scene& scene, const Object& object, const Ray& ray, Interval range);
+
+/// The same for one part of it: a face of a mesh; other shapes have one part, 0.
+std::optional<Root> intersect_part(const Scene& scene, const Object& object, std::uint32_t part, const Ray& ray,
+                                   Interval range);
 
 /// The nearest hit among all objects, complete with point, normals and material.
 std::optional<Hit> nearest_hit(const Scene& scene, const Ray& ray, Interval range);

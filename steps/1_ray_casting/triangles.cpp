@@ -64,6 +64,13 @@ std::optional<Root> intersect(const Mesh& mesh, const Ray& ray, Interval range) 
     return {};
 }
 
+std::optional<Root> intersect(const Mesh& mesh, std::uint32_t face, const Ray& ray, Interval range) {
+    // Task 1.14: The face as a triangle of its own; Root::part is its number. Culled as in the mesh: structures of step 4
+    // ask face by face and must find the same.
+    unfinished("1.14");
+    return {};
+}
+
 Vec3 normal(const Mesh& mesh, const Vec3&, const Root& root) {
     // Task 1.14: That of the face.
     unfinished("1.14");

@@ -23,6 +23,22 @@ Vec3 facing(const Vec3& normal, const Vec3& to_viewer) {
     return {};
 }
 
+Surface surface_at(const Scene& scene, const Hit& hit, const Vec3& to_viewer) {
+    const Material& material = scene.materials[hit.material];
+    Surface surface;
+    surface.point = hit.point;
+    surface.geometric_normal = facing(hit.normal, to_viewer);
+    surface.normal = facing(hit.shading_normal, to_viewer);
+    surface.to_viewer = to_viewer;
+    const Color color = pigment_at(scene, material.pigment, hit.point);
+    surface.color = color.rgb;
+    surface.opacity = 1 - color.filter - color.transmit;
+    // The fourth lane of an RGB scene stays empty: weights look at the largest lane.
+    surface.clear = color.filter * color.rgb + Radiance(color.transmit, color.transmit, color.transmit);
+    surface.finish = &material.finish;
+    return surface;
+}
+
 // ---- Tasks 2.2 to 2.5: what the surface does with light -------------------------------------------------------------
 
 Radiance ambient(const Surface& surface, const Radiance& ambient_light) {
@@ -104,9 +120,10 @@ bool any_occluder(const Scene& scene, const Ray& ray, Interval range) {
 
 // ---- Task 2.10: the sum ---------------------------------------------------------------------------------------------
 
-Radiance direct_light(const Scene& scene, const Intersector& intersector, const Surface& surface) {
-    // Task 2.10: Ambient light once, and for every light that is not in shadow diffuse, phong and blinn. A shadowless
-    // light is never in shadow and makes no highlights. Do not ask for a shadow where no light would arrive anyway.
+Radiance direct_light(const Scene& scene, const Visibility& visibility, const Surface& surface) {
+    // Task 2.10: Ambient light once, and for every light diffuse, phong and blinn, its radiance first multiplied by its
+    // visibility. A shadowless light is fully visible and makes no highlights. Do not ask for visibility where no
+    // light would arrive anyway.
     unfinished("2.10");
     return {};
 }

@@ -19,6 +19,7 @@ struct Surface {
     Vec3 to_viewer{0, 0, -1};         ///< unit
     Radiance color{1.0f};             ///< of the pigment, here
     float opacity = 1;                ///< 1 - filter - transmit: how much of ambient and diffuse light is left
+    Radiance clear{0.0f};             ///< color * filter + transmit: what is left of light that passes through (step 3)
     const Finish* finish = nullptr;   ///< never null
 };
 
@@ -28,6 +29,10 @@ struct Illumination {
     Real distance = 0;       ///< to the light's position; parallel light: to its plane, negative behind it
     Radiance radiance;       ///< after fading and the spot's cone; shadows not yet considered
 };
+
+/// What a hit is to a viewer in the direction `to_viewer` (unit): both normals turned to the viewer's side, the pigment
+/// looked up. Interpolated normals are turned by their own side, as POV-Ray does: along silhouettes it matters.
+Surface surface_at(const Scene& scene, const Hit& hit, const Vec3& to_viewer);
 
 /// Shadow rays ignore what they meet nearer than this to either end, in scene units (POV-Ray's SMALL_TOLERANCE and
 /// SHADOW_TOLERANCE). An absolute number: scenes should have features of at least ten times this size.
@@ -77,9 +82,29 @@ bool any_occluder(const Scene& scene, const Ray& ray, Interval range);
 
 // ---- Task 2.10: the sum ----------------------------------------------------------------------------------------------
 
-/// Ambient light and all light sources together. Asks for shadows only where a light could show: at most one query a
-/// light, none for shadowless ones, for lights behind the surface, or for a finish without diffuse and highlights.
+/// How much of a light gets to a surface, lane by lane: 1 all of it, 0 nothing. Step 2 knows opaque things only; step 3
+/// brings another answer, which sees through glass. Asked once for each light that could show.
+class Visibility {
+public:
+    virtual ~Visibility() = default;
+    virtual Radiance of(const Surface& surface, const Illumination& light) const = 0;
+};
+
+/// Everything that casts a shadow blocks all light.
+class OpaqueShadows final : public Visibility {
+public:
+    explicit OpaqueShadows(const Intersector& intersector) : intersector_(intersector) {}
+    Radiance of(const Surface& surface, const Illumination& light) const override {
+        return Radiance(in_shadow(intersector_, surface, light) ? 0.0f : 1.0f);
+    }
+
+private:
+    const Intersector& intersector_;
+};
+
+/// Ambient light and all light sources together. Asks for visibility only where a light could show: at most once a
+/// light, never for shadowless ones, for lights behind the surface, or for a finish without diffuse and highlights.
 /// POV-Ray's shadowless lights make no highlights.
-Radiance direct_light(const Scene& scene, const Intersector& intersector, const Surface& surface);
+Radiance direct_light(const Scene& scene, const Visibility& visibility, const Surface& surface);
 
 }  // namespace rays

@@ -60,6 +60,7 @@ struct GlobalSettings {
     Radiance ambient_light{1.0f};
     int max_trace_level = 5;
     float adc_bailout = 1.0f / 255;
+    bool filtered_shadows = true;  ///< clear things tint light; false: whatever casts a shadow blocks all light
     float assumed_gamma = 1;
     bool photons = false;
     Real photon_spacing = 0;  ///< distance between photons on a target at distance 1; 0: photon_count says how many

@@ -2,81 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <istream>
-#include <map>
 #include <memory>
 #include <ostream>
-#include <sstream>
 
-#include "1_ray_casting/ray_casting.h"
-#include "2_phong/phong.h"
-#include "core/error.h"
 #include "core/unfinished.h"
-#include "renderer/brute_force.h"
+#include "renderer/question.h"
 #include "renderer/radiance.h"
-#include "renderer/render.h"
-#include "scene_reader/scene_reader.h"
 
 namespace rays {
 namespace {
 
-/// The words of one query, taken in order.
-class Words {
-public:
-    explicit Words(const std::string& line) : in_(line) { in_ >> verb_; }
-    const std::string& verb() const { return verb_; }
-
-    Real number() {
-        std::string word;
-        if (!(in_ >> word)) throw InputError(verb_ + ": too few numbers");
-        char* end = nullptr;
-        const double value = std::strtod(word.c_str(), &end);  // takes "inf" and "nan" too: hostile rays are questions
-        if (*end != '\0') throw InputError(verb_ + ": not a number: " + word);
-        return static_cast<Real>(value);
-    }
-    int integer() { return static_cast<int>(number()); }
-    Vec3 vector() {
-        const Real x = number(), y = number();
-        return {x, y, number()};
-    }
-    Ray ray() {
-        const Vec3 origin = vector();
-        return {origin, vector()};
-    }
-    Interval interval() {
-        const Real min = number();
-        return {min, number()};
-    }
-
-private:
-    std::istringstream in_;
-    std::string verb_;
-};
-
-std::string text(Real v) { return fmt::format("{:.17g}", v); }
-std::string text(const Vec3& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v.x, v.y, v.z); }
-std::string text(const Radiance& v) { return fmt::format("{:.9g} {:.9g} {:.9g}", v[0], v[1], v[2]); }
-std::string text(bool v) { return v ? "1" : "0"; }
-
-/// The scene in question, ready for queries.
-struct Stage {
-    explicit Stage(const std::string& sdl) : scene(read_scene_text(sdl, "question")) { prepare(scene); }
-
-    const Object& object(Words& words) const { return scene.objects.at(index(words, scene.objects.size(), "object")); }
-    const Light& light(Words& words) const { return scene.lights.at(index(words, scene.lights.size(), "light")); }
-    const Material& material(Words& words) const { return scene.materials.at(object(words).material); }
-
-    Scene scene;
-    BruteForce intersector{scene};
-
-private:
-    static std::size_t index(Words& words, std::size_t count, const char* what) {
-        const int i = words.integer();
-        if (i < 0 || static_cast<std::size_t>(i) >= count) throw InputError(fmt::format("no {} {}", what, i));
-        return static_cast<std::size_t>(i);
-    }
-};
+using questions::Answerers;
+using questions::Stage;
+using questions::text;
+using questions::Words;
 
 Surface lit_surface(const Stage& stage, const Material& material, const Vec3& normal, const Vec3& to_viewer) {
     Surface surface;
@@ -117,50 +57,59 @@ std::string shade(const Stage& stage, Words& words, Term term) {
     return text(term(surface, Illumination{to_light, 1, Radiance(1.0f)}));
 }
 
-using Answerer = std::string (*)(const Stage&, Words&);
+std::string whole_ray(const Stage& stage, Words& words) {
+    World world = make_world(stage.scene, stage.intersector);
+    const Ray ray = words.ray();
+    return text(radiance(world, ray, media_around(stage.scene, ray.origin)));
+}
 
-const std::map<std::string, Answerer, std::less<>>& answerers() {
-    static const std::map<std::string, Answerer, std::less<>> table{
-        {"camera", camera},
-        {"nearest", nearest},
-        {"root", root},
-        {"inside", [](const Stage& s, Words& w) { const Object& o = s.object(w); return text(inside(s.scene, o, w.vector())); }},
-        {"misses",
+const Answerers& answerers() {
+    static const Answerers table = [] {
+        Answerers all{
+            {"camera", camera},
+            {"nearest", nearest},
+            {"root", root},
+            {"inside", [](const Stage& s, Words& w) { const Object& o = s.object(w); return text(inside(s.scene, o, w.vector())); }},
+            {"misses",
          [](const Stage&, Words& w) {
              const Vec3 center = w.vector();
              const BoundingSphere bound{center, w.number()};
              const Ray ray = w.ray();
              return text(misses(bound, ray, w.interval()));
          }},
-        {"back_facing", [](const Stage&, Words& w) { const Vec3 n = w.vector(); return text(back_facing(n, w.vector())); }},
-        {"pigment", [](const Stage& s, Words& w) { const Material& m = s.material(w); return text(pigment_at(s.scene, m.pigment, w.vector()).rgb); }},
-        {"facing", [](const Stage&, Words& w) { const Vec3 n = w.vector(); return text(facing(n, w.vector())); }},
-        {"illuminate",
+            {"back_facing", [](const Stage&, Words& w) { const Vec3 n = w.vector(); return text(back_facing(n, w.vector())); }},
+            {"pigment", [](const Stage& s, Words& w) { const Material& m = s.material(w); return text(pigment_at(s.scene, m.pigment, w.vector()).rgb); }},
+            {"facing", [](const Stage&, Words& w) { const Vec3 n = w.vector(); return text(facing(n, w.vector())); }},
+            {"illuminate",
          [](const Stage& s, Words& w) {
              const Light& light = s.light(w);
              const Illumination i = illuminate(light, w.vector());
              return fmt::format("{} {} {}", text(i.to_light), text(i.distance), text(i.radiance));
          }},
-        {"fading", [](const Stage& s, Words& w) { const Light& l = s.light(w); return text(fading(l, w.number())); }},
-        {"cone_of_light", [](const Stage& s, Words& w) { const Light& l = s.light(w); return text(cone_of_light(l, w.vector())); }},
-        {"ambient",
+            {"fading", [](const Stage& s, Words& w) { const Light& l = s.light(w); return text(fading(l, w.number())); }},
+            {"cone_of_light", [](const Stage& s, Words& w) { const Light& l = s.light(w); return text(cone_of_light(l, w.vector())); }},
+            {"ambient",
          [](const Stage& s, Words& w) {
              return text(ambient(lit_surface(s, s.material(w), {0, 0, -1}, {0, 0, -1}), s.scene.settings.ambient_light));
          }},
-        {"diffuse", [](const Stage& s, Words& w) { return shade(s, w, diffuse); }},
-        {"phong", [](const Stage& s, Words& w) { return shade(s, w, phong); }},
-        {"blinn", [](const Stage& s, Words& w) { return shade(s, w, blinn); }},
-        {"highlight_color", [](const Stage& s, Words& w) { return shade(s, w, highlight_color); }},
-        {"in_shadow",
+            {"diffuse", [](const Stage& s, Words& w) { return shade(s, w, diffuse); }},
+            {"phong", [](const Stage& s, Words& w) { return shade(s, w, phong); }},
+            {"blinn", [](const Stage& s, Words& w) { return shade(s, w, blinn); }},
+            {"highlight_color", [](const Stage& s, Words& w) { return shade(s, w, highlight_color); }},
+            {"in_shadow",
          [](const Stage& s, Words& w) {
              Surface surface;
              surface.point = w.vector();
              surface.normal = surface.geometric_normal = surface.to_viewer = w.vector();
              return text(in_shadow(s.intersector, surface, illuminate(s.light(w), surface.point)));
          }},
-        {"occluded", [](const Stage& s, Words& w) { const Ray ray = w.ray(); return text(s.intersector.occluded(ray, w.interval())); }},
-        {"radiance", [](const Stage& s, Words& w) { return text(radiance(s.scene, s.intersector, w.ray())); }},
-    };
+            {"occluded", [](const Stage& s, Words& w) { const Ray ray = w.ray(); return text(s.intersector.occluded(ray, w.interval())); }},
+            {"radiance", [](const Stage& s, Words& w) { return whole_ray(s, w); }},
+        };
+        questions::add_recursion(all);
+        questions::add_partitioning(all);
+        return all;
+    }();
     return table;
 }
 

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -13,20 +14,23 @@
 #include "core/error.h"
 #include "core/unfinished.h"
 #include "renderer/answer.h"
+#include "renderer/cost_map.h"
 #include "renderer/needs.h"
 #include "renderer/picture_file.h"
 #include "renderer/private_output.h"
 #include "renderer/render.h"
+#include "renderer/seen.h"
 #include "scene_reader/scene_reader.h"
 
 namespace rays {
 namespace {
 
 struct Arguments {
-    std::string scene, output, stats, pixel;
+    std::string scene, output, stats, pixel, cost_map, partition = "auto";
     RenderOptions options;
     std::vector<std::string> without;
-    bool needs = false, json = false, answer = false, everything = false;
+    int max_trace_level = 0;
+    bool needs = false, seen = false, json = false, visited = false, answer = false, everything = false;
 };
 
 struct Seconds {
@@ -44,13 +48,18 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void check(const Arguments& a) {
+void check(Arguments& a) {
     const auto [width, height] = a.options.raster;
     if (width < 1 || height < 1 || width > 32768 || height > 32768 || std::int64_t{width} * height > (1 << 28))
         throw InputError(fmt::format("a picture of {} x {} pixels: need 1 to 32768 each way and at most 2^28 in all", width, height));
     const auto side = std::lround(std::sqrt(a.options.samples));
     if (a.options.samples < 1 || a.options.samples > 4096 || side * side != a.options.samples)
         throw InputError(fmt::format("--samples {}: need a square number up to 4096; other patterns come with step 5", a.options.samples));
+    const auto partition = partition_named(a.partition);
+    if (!partition) throw InputError(fmt::format("--partition {}: need auto, none, grid, octree or bvh", a.partition));
+    a.options.partition = *partition;
+    if (a.max_trace_level < 0 || a.max_trace_level > 256)
+        throw InputError(fmt::format("--max-trace-level {}: need 1 to 256, or 0 for the scene's own", a.max_trace_level));
     if (a.options.threads < 0 || a.options.threads > 1024)
         throw InputError(fmt::format("--threads {}: need 0 (one a core) to 1024", a.options.threads));
 }
@@ -60,6 +69,7 @@ Scene read(const Arguments& a) {
     options.raster = a.options.raster;
     Scene scene = read_scene(a.scene, options);
     for (const std::string& effect : a.without) remove_effect(scene, effect);
+    if (a.max_trace_level > 0) scene.settings.max_trace_level = std::min(scene.settings.max_trace_level, a.max_trace_level);
     return scene;
 }
 
@@ -87,13 +97,15 @@ std::string quoted(const std::string& text) {
     return out + '"';
 }
 
-void write_stats(const std::string& path, const Seconds& seconds) {
+void write_stats(const std::string& path, const Seconds& seconds, const Residual& residual) {
     std::string unfinished;
     for (const auto& t : unfinished_tasks())
         unfinished += fmt::format("{}{{\"task\":{},\"file\":{},\"line\":{}}}", unfinished.empty() ? "" : ",", quoted(t.task), quoted(t.file), t.line);
     std::ofstream file(path);
-    file << fmt::format(R"({{"unfinished":[{}],"seconds":{{"read":{:.6f},"render":{:.6f},"write":{:.6f}}}}})", unfinished,
+    file << fmt::format(R"({{"unfinished":[{}],"seconds":{{"read":{:.6f},"render":{:.6f},"write":{:.6f}}},)", unfinished,
                         seconds.read, seconds.render, seconds.write)
+         << fmt::format(R"("residual":{{"mean":{:.9g},"max":{:.9g},"x":{},"y":{}}}}})", residual.mean, residual.max,
+                        residual.x, residual.y)
          << '\n';
     if (!file.flush()) throw InputError(path + ": cannot write the statistics; check that the folder exists and has room");
 }
@@ -110,11 +122,12 @@ int render_picture(Arguments& a) {
     const Scene scene = stage(a);
     seconds.read = watch.lap();
     if (isatty(STDERR_FILENO)) a.options.progress = show_progress;
-    const Film film = render(scene, a.options);
+    Residual residual;
+    const Film film = render(scene, a.options, &residual);
     seconds.render = watch.lap();
     write_picture(film, a.output);
     seconds.write = watch.lap();
-    if (!a.stats.empty()) write_stats(a.stats, seconds);
+    if (!a.stats.empty()) write_stats(a.stats, seconds, residual);
     for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
     list_unfinished();
     return kSuccess;
@@ -126,14 +139,28 @@ int show_needs(const Arguments& a) {
     return kSuccess;
 }
 
+int count_seen(const Arguments& a) {
+    const Scene scene = stage(a);
+    std::cout << seen_to_json(shapes_seen(scene, a.options));
+    list_unfinished();
+    return kSuccess;
+}
+
+int map_costs(const Arguments& a) {
+    write_cost_map(cost_map(stage(a), a.options), a.cost_map);
+    list_unfinished();
+    return kSuccess;
+}
+
 int explain_pixel(const Arguments& a) {
     int x = 0, y = 0;
     char rest = 0;
     if (std::sscanf(a.pixel.c_str(), "%d,%d%c", &x, &y, &rest) != 2 || x < 0 || y < 0 || x >= a.options.raster.width || y >= a.options.raster.height)
         throw InputError(fmt::format("--explain {}: need X,Y within {} x {}", a.pixel, a.options.raster.width, a.options.raster.height));
     PrivateOutput out;
-    const QueryLog log = explain(stage(a), a.options.raster, x, y);
-    out << (a.json ? log.to_json() : log.to_text());
+    const Scene scene = stage(a);
+    const QueryLog log = explain(scene, a.options, x, y);
+    out << (a.visited ? visit_to_json(visit_of(scene, a.options, x, y)) + '\n' : a.json ? log.to_json() : log.to_text());
     list_unfinished();
     return kSuccess;
 }
@@ -148,7 +175,9 @@ int run(Arguments& a) {
     if (a.scene.empty()) throw InputError("which scene? Give a .pov file, or --help");
     check(a);
     if (a.needs) return show_needs(a);
+    if (a.seen) return count_seen(a);
     if (!a.pixel.empty()) return explain_pixel(a);
+    if (!a.cost_map.empty()) return map_costs(a);
     return render_picture(a);
 }
 
@@ -160,11 +189,16 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("--samples", a.options.samples, "a pixel; a square number")->capture_default_str();
     app.add_option("--seed", a.options.seed, "of everything random")->capture_default_str();
     app.add_option("--threads", a.options.threads, "0: one a core")->capture_default_str();
+    app.add_option("--partition", a.partition, "auto, none, grid, octree or bvh; the picture is the same")->capture_default_str();
     app.add_option("--without", a.without, "leave an effect out (see --needs); may be repeated")->allow_extra_args(false);
+    app.add_option("--max-trace-level", a.max_trace_level, "at most so many levels of rays, the camera's included; 0: as the scene says");
     app.add_option("--stats", a.stats, "write times and unfinished tasks to this file, as JSON");
     app.add_flag("--everything", a.everything, "compose also what the scene does not need; the picture stays the same");
     app.add_flag("--needs", a.needs, "say what the scene needs and what is left out");
+    app.add_flag("--seen", a.seen, "count for each kind of shape the pixels whose centre sees it first, as JSON");
     app.add_option("--explain", a.pixel, "X,Y: the rays of a pixel");
+    app.add_flag("--visited", a.visited, "with --explain: the cells or leaves that the pixel's camera ray visits, as JSON");
+    app.add_option("--cost-map", a.cost_map, "an .exr with the channels tests and nodes: what every pixel costs with this --partition");
     app.add_flag("--json", a.json, "--needs and --explain in JSON");
     app.add_flag("--answer", a.answer, "answer the grader's questions on standard input");
 }

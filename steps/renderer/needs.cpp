@@ -25,13 +25,6 @@ bool any_light(const Scene& scene, Predicate predicate) {
     return std::any_of(scene.lights.begin(), scene.lights.end(), predicate);
 }
 
-template <class Predicate>
-bool any_color(const Scene& scene, Predicate predicate) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
-        return predicate(m.pigment.color) || (m.pigment.checker_other && predicate(*m.pigment.checker_other));
-    });
-}
-
 template <class Change>
 void each_color(Scene& scene, Change change) {
     for (Material& material : scene.materials) {
@@ -51,6 +44,29 @@ void hold_still(Scene& scene, Varying::Variable variable) {
 
 bool reflects(const Finish& f) { return !f.reflection.max.is_black() || !f.reflection.min.is_black(); }
 bool is_clear(const Color& c) { return c.filter != 0 || c.transmit != 0; }
+bool is_clear(const Material& m) {
+    return is_clear(m.pigment.color) || (m.pigment.checker_other && is_clear(*m.pigment.checker_other));
+}
+bool mirrors_by_index(const Material& m) { return reflects(m.finish) && m.finish.reflection.fresnel; }
+bool is_white(const Radiance& c) { return c[0] == 1 && c[1] == 1 && c[2] == 1; }
+bool absorbs(const Interior& i) { return i.fade_distance > 0 && !is_white(i.fade_color); }
+
+template <class Predicate>
+bool any_material(const Scene& scene, Predicate predicate) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), predicate);
+}
+template <class Predicate>
+bool any_interior(const Scene& scene, Predicate predicate) {
+    return std::any_of(scene.interiors.begin(), scene.interiors.end(), predicate);
+}
+
+bool filters_shadows(const Scene& s) {
+    const bool casts = any_light(s, [](const Light& l) { return !l.shadowless; });
+    return casts && s.settings.filtered_shadows && std::any_of(s.objects.begin(), s.objects.end(), [&](const Object& o) {
+        return !o.no_shadow && is_clear(s.materials[o.material]);
+    });
+}
+
 Vec3 flat_normal(const Triangle& t) { return glm::normalize(glm::cross(t.b - t.a, t.c - t.a)); }
 bool interpolates(const SmoothTriangle& t) {
     const Vec3 n = flat_normal(t.triangle);
@@ -113,8 +129,31 @@ std::vector<Effect> all_effects() {
          [](const Scene& s) { return any_finish(s, reflects); },
          [](Scene& s) { each_finish(s, [](Finish& f) { f.reflection = Reflection(); }); }},
         {"transparency", 3, "surfaces that let light through, bent or not",
-         [](const Scene& s) { return any_color(s, is_clear); },
+         [](const Scene& s) { return any_material(s, [](auto& m) { return is_clear(m); }); },
          [](Scene& s) { each_color(s, [](Color& c) { c.filter = c.transmit = 0; }); }},
+        {"refraction", 3, "indices of refraction: glass bends light, and mirrors by its index",
+         [](const Scene& s) {
+             return any_interior(s, [](auto& i) { return i.ior != 1; }) &&
+                    any_material(s, [](auto& m) { return is_clear(m) || mirrors_by_index(m); });
+         },
+         [](Scene& s) { for (Interior& i : s.interiors) i.ior = 1; }},
+        {"absorption", 3, "glass that takes light away, the more the thicker it is",
+         [](const Scene& s) { return any_interior(s, absorbs) && any_material(s, [](auto& m) { return is_clear(m); }); },
+         [](Scene& s) { for (Interior& i : s.interiors) i.fade_distance = i.fade_power = 0; }},
+        {"fresnel", 3, "mirrors by the index of refraction",
+         [](const Scene& s) { return any_material(s, mirrors_by_index); },
+         [](Scene& s) { each_finish(s, [](Finish& f) { f.reflection.fresnel = false; }); }},
+        {"conserve_energy", 3, "what is mirrored does not come through as well",
+         [](const Scene& s) { return any_material(s, [](auto& m) { return m.finish.conserve_energy && reflects(m.finish) && is_clear(m); }); },
+         [](Scene& s) { each_finish(s, [](Finish& f) { f.conserve_energy = false; }); }},
+        {"metallic_reflection", 3, "mirrors in the colour of the surface",
+         [](const Scene& s) { return any_finish(s, [](auto& f) { return reflects(f) && f.reflection.metallic != 0; }); },
+         [](Scene& s) { each_finish(s, [](Finish& f) { f.reflection.metallic = 0; }); }},
+        {"reflection_exponent", 3, "mirrors that change contrast",
+         [](const Scene& s) { return any_finish(s, [](auto& f) { return reflects(f) && f.reflection.exponent != 1; }); },
+         [](Scene& s) { each_finish(s, [](Finish& f) { f.reflection.exponent = 1; }); }},
+        {"filtered_shadows", 3, "light that gets through clear things, tinted",
+         filters_shadows, [](Scene& s) { s.settings.filtered_shadows = false; }},
         {"area_lights", 5, "soft shadows",
          [](const Scene& s) { return any_light(s, [](auto& l) { return l.area; }); },
          [](Scene& s) { for (Light& l : s.lights) l.area = false; }},
@@ -166,7 +205,12 @@ void drop_what_is_not_needed(Scene& scene) {
     std::erase_if(scene.lights, [](const Light& light) { return light.color.is_black(); });
     each_finish(scene, [](Finish& f) {
         if (f.phong == 0 && f.specular == 0) f.metallic = 0;
+        if (!reflects(f)) f.reflection = Reflection();
     });
+    for (Material& material : scene.materials)
+        if (!reflects(material.finish) || !is_clear(material)) material.finish.conserve_energy = false;
+    for (Interior& interior : scene.interiors)
+        if (!absorbs(interior)) interior.fade_distance = interior.fade_power = 0;
     for (Light& light : scene.lights) {
         if (light.fade_power <= 0 || light.fade_distance <= 0) light.fade_power = light.fade_distance = 0;
         const bool nothing_casts = std::all_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return o.no_shadow; });

@@ -19,7 +19,7 @@ struct Effect {
 };
 
 /// The last step that is built. A scene that needs a later one is refused, not rendered wrongly.
-inline constexpr int kLastBuiltStep = 2;
+inline constexpr int kLastBuiltStep = 4;
 
 /// All effects, in the order of the steps.
 const std::vector<Effect>& effects();

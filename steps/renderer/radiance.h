@@ -1,16 +1,15 @@
-// From a ray to the light that comes along it: where the steps are put together.
+// From a camera ray to the light that comes along it: where the steps are put together.
 #pragma once
 
-#include "core/intersector.h"
-#include "core/radiance.h"
-#include "core/scene.h"
+#include "3_recursion/recursion.h"
 
 namespace rays {
 
-/// The distance beyond which POV-Ray sees nothing (its MAX_DISTANCE). A plane's horizon depends on it.
-inline constexpr Real kFarthest = 1e7;
+/// The media that a point is in, in the order of the objects: where a camera may stand. Empty when nothing in the
+/// scene lets light through, for then nobody asks.
+Inside media_around(const Scene& scene, const Vec3& point);
 
-/// The radiance that arrives at ray.origin from ray.direction (any length).
-Radiance radiance(const Scene& scene, const Intersector& intersector, Ray ray);
+/// The radiance that arrives at ray.origin from ray.direction (any length). `inside` is where the ray starts.
+Radiance radiance(World& world, Ray ray, const Inside& inside);
 
 }  // namespace rays

@@ -20,18 +20,63 @@ Radiance striped(const Radiance& value, int x, int y) {
     return (value.is_finite() ? 0.5f * value : Radiance()) + (stripe ? Radiance(0.5f, 0.0f, 0.4f) : Radiance(0.05f));
 }
 
-Radiance render_pixel(const Scene& scene, const Intersector& intersector, const RenderOptions& options, int x, int y) {
+/// Where camera rays start: a perspective camera stands in one place, an orthographic one everywhere.
+class CameraMedia {
+public:
+    explicit CameraMedia(const World& world)
+        : scene_(world.scene), asked_(world.sees_through),
+          fixed_(world.scene.camera.kind == Camera::Kind::perspective) {
+        if (asked_ && fixed_) media_ = media_around(scene_, scene_.camera.location);
+    }
+    Inside at(const Vec3& origin) const { return asked_ && !fixed_ ? media_around(scene_, origin) : media_; }
+
+private:
+    const Scene& scene_;
+    bool asked_, fixed_;
+    Inside media_;
+};
+
+Radiance render_pixel(World& world, const CameraMedia& media, const RenderOptions& options, int x, int y) {
     const int side = static_cast<int>(std::lround(std::sqrt(options.samples)));
     Radiance sum;
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             const Vec2 offset((i + Real(0.5)) / side - Real(0.5), (j + Real(0.5)) / side - Real(0.5));
-            sum += radiance(scene, intersector, camera_ray(scene.camera, options.raster, x, y, offset));
+            const Ray ray = camera_ray(world.scene.camera, options.raster, x, y, offset);
+            sum += radiance(world, ray, media.at(ray.origin));
         }
     }
     sum *= 1.0f / static_cast<float>(side * side);
     return take_unfinished_task() ? striped(sum, x, y) : sum;
 }
+
+/// The residuals of a picture, row by row: their sum is the same for any number of threads.
+class Residuals {
+public:
+    explicit Residuals(int rows) : rows_(static_cast<std::size_t>(rows)) {}
+
+    void add(int x, int y, double pruned) {
+        Row& row = rows_[static_cast<std::size_t>(y)];
+        row.sum += pruned;
+        if (pruned > row.max) row.max = pruned, row.x = x;
+    }
+    Residual over(Raster raster) const {
+        Residual all;
+        for (std::size_t y = 0; y < rows_.size(); ++y) {
+            all.mean += rows_[y].sum;
+            if (rows_[y].max > all.max) all = {all.mean, rows_[y].max, rows_[y].x, static_cast<int>(y)};
+        }
+        all.mean /= double(raster.width) * raster.height;
+        return all;
+    }
+
+private:
+    struct Row {
+        double sum = 0, max = 0;
+        int x = 0;
+    };
+    std::vector<Row> rows_;
+};
 
 }  // namespace
 
@@ -42,14 +87,30 @@ void prepare(Scene& scene) {
     take_unfinished_task();
 }
 
-Film render(const Scene& scene, const RenderOptions& options) {
+std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition partition) {
+    if (partition == Partition::automatic) partition = choose_partition(scene);
+    std::unique_ptr<Intersector> structure;
+    if (partition != Partition::none) structure = make_structure(scene, partition);
+    take_unfinished_task();
+    if (!structure) structure = std::make_unique<BruteForce>(scene);
+    return structure;
+}
+
+Film render(const Scene& scene, const RenderOptions& options, Residual* residual) {
     Film film(options.raster);
-    const BruteForce intersector(scene);
+    const auto intersector = make_intersector(scene, options.partition);
+    const World prototype = make_world(scene, *intersector);
+    const CameraMedia media(prototype);
+    Residuals residuals(options.raster.height);
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
+        World world = prototype;
         for (int y = next_row++; y < options.raster.height; y = next_row++) {
-            for (int x = 0; x < options.raster.width; ++x)
-                film.at(x, y) = render_pixel(scene, intersector, options, x, y);
+            for (int x = 0; x < options.raster.width; ++x) {
+                world.pruned = 0;
+                film.at(x, y) = render_pixel(world, media, options, x, y);
+                residuals.add(x, y, world.pruned / options.samples);
+            }
             if (reports && options.progress) options.progress(double(y + 1) / options.raster.height);
         }
     };
@@ -58,14 +119,17 @@ Film render(const Scene& scene, const RenderOptions& options) {
     for (int i = 1; i < std::min(wanted, options.raster.height); ++i) helpers.emplace_back(work, false);
     work(true);
     helpers.clear();
+    if (residual) *residual = residuals.over(options.raster);
     return film;
 }
 
-QueryLog explain(const Scene& scene, const Raster& raster, int column, int row) {
+QueryLog explain(const Scene& scene, const RenderOptions& options, int column, int row) {
+    const auto intersector = make_intersector(scene, options.partition);
+    World world = make_world(scene, *intersector);
+    const Ray ray = camera_ray(scene.camera, options.raster, column, row);
     QueryLog log;
-    const BruteForce intersector(scene);
     query_log = &log;
-    radiance(scene, intersector, camera_ray(scene.camera, raster, column, row));
+    radiance(world, ray, CameraMedia(world).at(ray.origin));
     query_log = nullptr;
     return log;
 }

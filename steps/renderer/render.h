@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "4_partitioning/partitioning.h"
 #include "core/film.h"
 #include "core/query_log.h"
 #include "core/scene.h"
@@ -17,16 +19,26 @@ struct RenderOptions {
     int samples = 1;  ///< a square number: a regular grid in the pixel. 1: the pixel's centre.
     std::uint64_t seed = 0;
     int threads = 0;  ///< 0: one a core
+    Partition partition = Partition::automatic;
     std::function<void(double done)> progress;  ///< called now and then from one thread, 0 <= done <= 1
 };
 
 /// Computes once what shapes use for every ray. Before anything else is asked about a scene.
 void prepare(Scene& scene);
 
+/// What finds hits in a prepared scene. The scene must outlive it.
+std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition partition);
+
+/// What pruning leaves open: a pixel may lack at most its residual times the brightest radiance of the scene.
+struct Residual {
+    double mean = 0, max = 0;
+    int x = 0, y = 0;  ///< the pixel of the largest
+};
+
 /// The same bytes for any number of threads. Pixels that needed an unfinished task are striped.
-Film render(const Scene& scene, const RenderOptions& options);
+Film render(const Scene& scene, const RenderOptions& options, Residual* residual = nullptr);
 
 /// Every ray asked for one pixel (one sample at its centre).
-QueryLog explain(const Scene& scene, const Raster& raster, int column, int row);
+QueryLog explain(const Scene& scene, const RenderOptions& options, int column, int row);
 
 }  // namespace rays

@@ -31,6 +31,27 @@ TEST(RayTrees, EqualTreesDoNotDiffer) {
     EXPECT_EQ(difference(longer), "") << "the length of a direction is free";
 }
 
+TEST(RayTrees, NamesWeightsAndWhatIsNotTraced) {
+    const auto with_mirror = [](float weight, bool traced) {
+        QueryLog log = tree();
+        if (traced) {
+            log.next_kind = "reflected";
+            log.next_weight = weight;
+            log.nearest({{0, 0, 0}, {0, 0, -1}}, {0, 1e9}, {});
+        } else {
+            log.pruned("reflected", {{0, 0, 0}, {0, 0, -1}}, weight);
+        }
+        return log.to_json();
+    };
+    EXPECT_EQ(first_difference(with_mirror(0.5f, true), with_mirror(0.25f, true)),
+              "depth 1: the reflected ray has the weight 0.5; the solution's has 0.25");
+    EXPECT_EQ(first_difference(with_mirror(0.5f, true), with_mirror(0.001f, false)),
+              "depth 1: the reflected ray is traced (weight 0.5); the solution's is not (weight 0.001)");
+    EXPECT_EQ(first_difference(with_mirror(0.5f, false), with_mirror(0.5f, true)),
+              "depth 1: the reflected ray is not traced (weight 0.5); the solution's is");
+    EXPECT_EQ(first_difference(with_mirror(0.5f, false), with_mirror(0.5f, false)), "");
+}
+
 TEST(RayTrees, NamesDirections) {
     QueryLog t = tree();
     t.queries[1].ray.direction = {0, 4, -3};

@@ -68,7 +68,8 @@ TEST_P(OnePixel, IsWhatPovrayRendered) {
     const Scene scene = staged("plane { z, 0 pigment { rgb <0.8, 0.4, 0.2> } finish { ambient 0 " +
                                std::string(m.finish) + " } }\n" + m.scene);
     const BruteForce intersector(scene);
-    const double red = radiance(scene, intersector, {{0, 0, -5}, {0, 0, 1}})[0];
+    World world = make_world(scene, intersector);
+    const double red = radiance(world, {{0, 0, -5}, {0, 0, 1}}, {})[0];
     // The grid of 16 bits, and POV-Ray's own rounding on the way to it: its 0.12 is written as 0.119997.
     EXPECT_NEAR(red, m.red, 2.0 / 65535) << m.finish << "; " << m.scene;
 }

@@ -24,6 +24,10 @@ expect() { # STATUS PATTERN ARGUMENTS...: what it prints must match the pattern
 expect 0 '^$' "$render" "$scene" -o "$dir/a.exr" --width 32 --height 24 --stats "$dir/stats.json"
 [ -s "$dir/a.exr" ] || { echo "FAILED: no picture"; failed=1; }
 grep -q '"unfinished":\[\]' "$dir/stats.json" || { echo "FAILED: statistics"; failed=1; }
+grep -q '"residual":{"mean":0,"max":0,' "$dir/stats.json" || { echo "FAILED: nothing was pruned"; failed=1; }
+expect 0 '^$' "$render" "$scenes/3_recursion/depth_0.pov" -o "$dir/m.exr" --width 32 --height 24 --stats "$dir/stats.json"
+grep -q '"residual":{"mean":0\.[0-9]*,"max":1,' "$dir/stats.json" || { echo "FAILED: no residual"; failed=1; }
+expect 0 'residual: rays that were not traced weigh 1;' "$render" "$scenes/3_recursion/depth_0.pov" --explain 20,10 --width 32 --height 24
 expect 0 '^$' "$render" "$scene" -o "$dir/a.png" --width 32 --height 24
 expect 2 'which scene' "$render" -o "$dir/b.exr"
 expect 2 'nowhere.pov' "$render" nowhere.pov -o "$dir/b.exr"

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "renderer/brute_force.h"
+#include "renderer/radiance.h"
 #include "scenes.h"
 
 namespace rays {
@@ -23,7 +25,12 @@ const std::string kEverything = tests::kHead +
     "sphere { <0,1,0>, 1 pigment { rgb <1,0.5,0.2> } clipped_by { box { <-2,-2,-2>, <2,1.5,2> } }\n"
     "  finish { ambient 0.1 diffuse 0.6 phong 0.5 specular 0.2 metallic 1 emission 0.05 } }\n"
     "smooth_triangle { <-2,0.1,0>, <-1,1,-1>, <-1.2,0.1,0>, <0,1,0>, <-1.5,1.8,0.2>, <1,0,-1> pigment { rgb 1 } }\n"
-    "plane { y, 0 pigment { checker rgb 1 rgb 0.2 } finish { ambient 0.1 diffuse 0.7 } }\n";
+    "plane { y, 0 pigment { checker rgb 1 rgb 0.2 } finish { ambient 0.1 diffuse 0.7 } }\n"
+    "sphere { <1.6,0.7,-0.8>, 0.7 pigment { rgbf <0.8,0.9,0.7,0.9> } finish { ambient 0 diffuse 0.1\n"
+    "  reflection { 0, 1 fresnel on } conserve_energy }\n"
+    "  interior { ior 1.5 fade_distance 1 fade_power 1001 fade_color rgb <0.3,0.6,0.9> } }\n"
+    "sphere { <-1.5,2.2,1>, 0.6 pigment { rgb <1,0.7,0.3> }\n"
+    "  finish { ambient 0 diffuse 0.1 reflection { 0.7 metallic } reflection_exponent 1.5 } }\n";
 
 TEST(Needs, LeavingOutANeededEffectChangesThePicture) {
     const Scene scene = read_scene_text(kEverything, "everything");
@@ -61,18 +68,70 @@ TEST(Needs, DroppingWhatIsNotNeededKeepsThePictureOfEverything) {
     EXPECT_TRUE(same_bytes(full, picture(lean)));
 }
 
+bool needs(const Scene& scene, const char* name) {
+    for (const Effect& effect : effects())
+        if (effect.name == name) return effect.needed(scene);
+    ADD_FAILURE() << "no effect " << name;
+    return false;
+}
+
+TEST(Needs, WhatOnlyLooksLikeGlassNeedsNoneOfIt) {
+    // An opaque ball with an index and a fade, a mirror of strength nothing, a clear ball that casts no shadow.
+    const Scene scene = read_scene_text(
+        tests::kBallOnFloor +
+            "sphere { <2,1,0>, 1 pigment { rgb 1 } interior { ior 1.5 fade_distance 1 fade_power 2 fade_color rgb 0.5 } }\n"
+            "sphere { <-2,1,0>, 1 pigment { rgb 1 } finish { reflection { 0 fresnel on metallic } conserve_energy } }\n",
+        "looks");
+    for (const char* name : {"reflection", "transparency", "refraction", "absorption", "fresnel", "conserve_energy",
+                             "metallic_reflection", "reflection_exponent", "filtered_shadows"})
+        EXPECT_FALSE(needs(scene, name)) << name;
+}
+
+TEST(Needs, TheDefaultFadeColourTakesNothing) {
+    const std::string glass = tests::kBallOnFloor + "sphere { <2,1,0>, 1 pigment { rgbt 1 } interior { fade_distance 1 ";
+    EXPECT_TRUE(needs(read_scene_text(glass + "fade_power 2 fade_color rgb 0.5 } }", "fade"), "absorption"));
+    EXPECT_FALSE(needs(read_scene_text(glass + "fade_power 2 fade_color rgb 1 } }", "fade"), "absorption"));
+}
+
+TEST(Needs, ClearThingsWithoutAShadowFilterNone) {
+    Scene scene = read_scene_text(tests::kBallOnFloor + "sphere { <1,2,-1>, 0.5 pigment { rgbt 0.7 } no_shadow }", "clear");
+    EXPECT_TRUE(needs(scene, "transparency"));
+    EXPECT_FALSE(needs(scene, "filtered_shadows"));
+    prepare(scene);
+    const BruteForce all(scene);
+    EXPECT_TRUE(make_world(scene, all).sees_through);
+    EXPECT_FALSE(make_world(scene, all).filtered_shadows);
+}
+
+TEST(Needs, DroppingKeepsThePictureOfGlassThatHasWordsWithoutEffect) {
+    Scene lean = read_scene_text(
+        tests::kBallOnFloor +
+            "sphere { <0.7,1,-2>, 0.6 pigment { rgbf <0.5,0.7,0.9,0.8> } finish { reflection { 0 fresnel on } conserve_energy }\n"
+            "  interior { ior 1.3 fade_distance 1 fade_power 2 fade_color rgb 1 } }\n",
+        "words");
+    const Film full = picture(lean);
+    drop_what_is_not_needed(lean);
+    EXPECT_EQ(lean.interiors[0].fade_distance, 0);
+    EXPECT_TRUE(same_bytes(full, picture(lean)));
+}
+
 TEST(Needs, ALaterStepIsRefusedByName) {
-    const Scene mirror = read_scene_text(tests::kHead + "sphere { 0, 1 finish { reflection 0.5 } }", "mirror.pov");
+    const std::string soft = "light_source { <0,9,0>, rgb 1 area_light <1,0,0>, <0,0,1>, 4, 4 }";
+    const Scene later = read_scene_text(tests::kHead + soft, "soft.pov");
     try {
-        require_built(mirror);
-        FAIL() << "a mirror was accepted";
+        require_built(later);
+        FAIL() << "a soft shadow was accepted";
     } catch (const InputError& e) {
-        EXPECT_NE(std::string(e.what()).find("mirror.pov: needs reflection"), std::string::npos) << e.what();
-        EXPECT_NE(std::string(e.what()).find("step 3"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("soft.pov: needs area_lights"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("step 5"), std::string::npos) << e.what();
     }
-    Scene plain = mirror;
-    remove_effect(plain, "reflection");
+    Scene plain = later;
+    remove_effect(plain, "area_lights");
     EXPECT_NO_THROW(require_built(plain));
+}
+
+TEST(Needs, MirrorsAndGlassAreBuilt) {
+    EXPECT_NO_THROW(require_built(read_scene_text(kEverything, "everything")));
 }
 
 TEST(Needs, AnUnknownEffectIsRefusedWithTheListOfKnownOnes) {

@@ -44,9 +44,56 @@ TEST(Render, ProgressEndsAtOne) {
     EXPECT_EQ(last, 1);
 }
 
+const std::string kMirrorRoom = tests::kBallOnFloor +
+    "plane { -z, -4 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 0.9 } } }\n"
+    "plane { z, -6 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 0.9 } } }\n";
+
+TEST(Residual, IsTheWeightOfWhatWasNotTraced) {
+    Scene scene = staged(kMirrorRoom);
+    scene.settings.max_trace_level = 1;  // no mirror ray is traced: each weighs 0.9
+    Residual residual;
+    render(scene, {.raster = {40, 30}}, &residual);
+    EXPECT_FLOAT_EQ(static_cast<float>(residual.max), 0.9f);
+    EXPECT_GT(residual.mean, 0.01);
+    EXPECT_LT(residual.mean, 0.5);
+    EXPECT_FLOAT_EQ(static_cast<float>(explain(scene, {.raster = {40, 30}}, residual.x, residual.y).residual()), 0.9f);
+}
+
+TEST(Residual, BoundsWhatIsMissing) {
+    Scene scene = staged(kMirrorRoom);
+    scene.settings.adc_bailout = 0;
+    scene.settings.max_trace_level = 40;
+    const Film all = render(scene, {.raster = {40, 30}});
+    float brightest = 0;
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x) brightest = std::max(brightest, all.at(x, y).largest());
+    scene.settings.max_trace_level = 3;
+    Residual residual;
+    const Film cut = render(scene, {.raster = {40, 30}}, &residual);
+    float missing = 0;
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x) missing = std::max(missing, all.at(x, y)[0] - cut.at(x, y)[0]);
+    EXPECT_GT(missing, 0.01f);
+    EXPECT_LE(missing, residual.max * brightest);
+}
+
+TEST(Residual, IsTheSameForAnyNumberOfThreadsAndZeroWhenNothingIsPruned) {
+    const Scene scene = staged(kMirrorRoom);
+    Residual one, three, none;
+    render(scene, {.raster = {41, 33}, .threads = 1}, &one);
+    render(scene, {.raster = {41, 33}, .threads = 3}, &three);
+    EXPECT_GT(one.mean, 0);
+    EXPECT_EQ(one.mean, three.mean);
+    EXPECT_EQ(one.max, three.max);
+    EXPECT_EQ(one.x, three.x);
+    EXPECT_EQ(one.y, three.y);
+    render(staged(tests::kBallOnFloor), {.raster = {20, 15}}, &none);
+    EXPECT_EQ(none.max, 0);
+}
+
 TEST(Explain, TheTreeBeginsWithTheCameraRayAndHoldsTheShadowRay) {
     const Scene scene = staged(tests::kBallOnFloor);
-    const QueryLog log = explain(scene, {40, 30}, 20, 18);
+    const QueryLog log = explain(scene, {.raster = {40, 30}}, 20, 18);
     ASSERT_GE(log.queries.size(), 2u);
     EXPECT_EQ(log.queries[0].kind, "camera");
     EXPECT_TRUE(log.queries[0].hit.has_value());
@@ -57,7 +104,7 @@ TEST(Explain, TheTreeBeginsWithTheCameraRayAndHoldsTheShadowRay) {
 TEST(Explain, TheRadianceIsThePixels) {
     const Scene scene = staged(tests::kBallOnFloor);
     const Film film = render(scene, {.raster = {40, 30}});
-    const QueryLog log = explain(scene, {40, 30}, 17, 11);
+    const QueryLog log = explain(scene, {.raster = {40, 30}}, 17, 11);
     for (int c = 0; c < 3; ++c) EXPECT_EQ(log.queries.front().radiance[c], film.at(17, 11)[c]);
 }
 

@@ -1,0 +1,78 @@
+// What goes into a structure, and what stays outside.
+#include <algorithm>
+#include <cmath>
+
+#include "4_partitioning/parallel.h"
+#include "4_partitioning/structures.h"
+#include "core/unfinished.h"
+
+namespace rays {
+
+//> hidden
+namespace {
+
+Real diagonal(const Bounds& b) { return glm::length(b.max - b.min); }
+
+Bounds around(const Contents& contents, const std::vector<std::uint32_t>& primitives) {
+    Bounds box;
+    for (const std::uint32_t i : primitives) box.add(contents.bounds[i]);
+    return box;
+}
+
+/// A ground of a kilometre under a thousand pebbles would make one cell of all pebbles. So the largest few primitives
+/// stay outside when the box of the others is much smaller.
+constexpr std::size_t kMostHuge = 8;
+constexpr Real kMuchSmaller = Real(0.5);
+
+void set_huge_aside(Contents& contents) {
+    while (contents.inside.size() > 2 * kMostHuge) {
+        const Real whole = diagonal(contents.box);
+        std::vector<std::uint32_t> huge, rest;
+        for (const std::uint32_t i : contents.inside)
+            (diagonal(contents.bounds[i]) >= kMuchSmaller * whole ? huge : rest).push_back(i);
+        if (huge.empty() || huge.size() + contents.outside.size() > kMostHuge) return;
+        const Bounds box = around(contents, rest);
+        if (!(diagonal(box) < kMuchSmaller * whole)) return;
+        contents.outside.insert(contents.outside.end(), huge.begin(), huge.end());
+        contents.inside = std::move(rest);
+        contents.box = box;
+    }
+}
+
+/// Above the rounding of a ray that starts near the box (rounding_of), and small against every detail.
+Real slack_for(const Bounds& box, Real of_extent) {
+    Real extent = 0, reach = 0;
+    for (int a = 0; a < 3; ++a) {
+        extent = std::max(extent, box.max[a] - box.min[a]);
+        reach = std::max({reach, std::abs(box.min[a]), std::abs(box.max[a])});
+    }
+    constexpr Real eps = std::numeric_limits<Real>::epsilon();
+    return std::max(of_extent * extent, 128 * eps * reach) + std::sqrt(std::numeric_limits<Real>::min());
+}
+
+}  // namespace
+//< hidden
+
+Contents contents_of(const Scene& scene, const std::vector<Primitive>& primitives, Real slack_of_extent) {
+    //> 4.3 Unbounded primitives stay outside; set huge ones aside, too, when they are few and the rest is much smaller.
+    //>   Widen all boxes by a little more than roots are off, and the box around them once more.
+    Contents contents;
+    contents.bounds.resize(primitives.size());
+    in_parallel_each(primitives.size(), [&](std::size_t i) { contents.bounds[i] = bounds_of(scene, primitives[i]); });
+    for (std::uint32_t i = 0; i < primitives.size(); ++i)
+        (contents.bounds[i].is_finite() ? contents.inside : contents.outside).push_back(i);
+    contents.box = around(contents, contents.inside);
+    if (contents.inside.empty()) return contents;
+    set_huge_aside(contents);
+    contents.slack = slack_for(contents.box, slack_of_extent);
+    for (const std::uint32_t i : contents.inside) {
+        contents.bounds[i].min -= contents.slack;
+        contents.bounds[i].max += contents.slack;
+    }
+    contents.box.min -= 2 * contents.slack;
+    contents.box.max += 2 * contents.slack;
+    return contents;
+    //< 4.3
+}
+
+}  // namespace rays

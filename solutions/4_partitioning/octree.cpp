@@ -1,0 +1,397 @@
+// The octree: boxes cut into eight halves each way, only where there is something, and a walk from the top down.
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+
+#include "4_partitioning/effort.h"
+#include "4_partitioning/parallel.h"
+#include "4_partitioning/structures.h"
+#include "core/unfinished.h"
+
+namespace rays {
+
+Bounds octant_of(const Bounds& node, unsigned octant) {
+    //> 4.6 Along each axis the lower or the upper half, as the octant's bit says.
+    const Vec3 middle = Real(0.5) * (node.min + node.max);
+    Bounds half = node;
+    for (int a = 0; a < 3; ++a) (octant >> a & 1 ? half.min : half.max)[a] = middle[a];
+    return half;
+    //< 4.6
+}
+
+unsigned octants_overlapping(const Bounds& node, const Bounds& bounds) {
+    //> 4.6 Along each axis: does it reach the lower half, does it reach the upper one? Faces belong to both sides.
+    const Vec3 middle = Real(0.5) * (node.min + node.max);
+    // For each axis the octants of its lower and of its upper half.
+    constexpr unsigned kLower[3] = {0x55, 0x33, 0x0f}, kUpper[3] = {0xaa, 0xcc, 0xf0};
+    unsigned octants = bounds.overlaps(node) ? 0xff : 0;
+    for (int a = 0; a < 3; ++a)
+        octants &= (bounds.min[a] <= middle[a] ? kLower[a] : 0) | (bounds.max[a] >= middle[a] ? kUpper[a] : 0);
+    return octants;
+    //< 4.6
+}
+
+OctreeRay octree_ray(const Bounds& root, const Ray& ray) {
+    //> 4.7 For each axis the t of the near face and of the far one; against the axis the near face is the larger one.
+    OctreeRay result;
+    for (int a = 0; a < 3; ++a) {
+        const bool backwards = ray.direction[a] < 0;
+        if (backwards) result.mirror |= 1u << a;
+        result.root.near[a] = ((backwards ? root.max[a] : root.min[a]) - ray.origin[a]) / ray.direction[a];
+        result.root.far[a] = ((backwards ? root.min[a] : root.max[a]) - ray.origin[a]) / ray.direction[a];
+    }
+    return result;
+    //< 4.7
+}
+
+int octants_along(const Slabs& node, unsigned mirror, Span span, std::array<Octant, 4>& octants) {
+    //> 4.7 The middle planes are passed half-way between near and far. The ray begins in the far half along every axis
+    //>   whose middle it has passed before it enters; then it changes halves along the axis that it leaves first.
+    const Real enter = std::max(span.enter, node.enter()), exit = std::min(span.exit, node.exit());
+    if (!(enter <= exit)) return 0;
+    const Vec3 middle = Real(0.5) * (node.near + node.far);
+    unsigned half = 0;  // bit a: in the far half along axis a
+    for (int a = 0; a < 3; ++a) half |= (middle[a] < enter ? 1u : 0u) << a;
+    for (int count = 0;;) {
+        Octant& octant = octants[static_cast<std::size_t>(count++)];
+        octant.octant = half ^ mirror;
+        for (int a = 0; a < 3; ++a) {
+            const bool far = half >> a & 1;
+            octant.slabs.near[a] = far ? middle[a] : node.near[a];
+            octant.slabs.far[a] = far ? node.far[a] : middle[a];
+        }
+        const Vec3& leave = octant.slabs.far;
+        const int axis = leave.x < leave.y ? (leave.x < leave.z ? 0 : 2) : (leave.y < leave.z ? 1 : 2);
+        if ((half >> axis & 1) || !(leave[axis] <= exit)) return count;
+        half |= 1u << axis;
+    }
+    //< 4.7
+}
+
+//> hidden
+namespace {
+
+// ---- What is kept: eight nodes of eight bytes a family, on one line of the cache ------------------------------------
+
+struct Node {
+    std::uint32_t first = 0;  ///< of a leaf: into items; else the family of its eight children
+    std::uint32_t count = 0;  ///< of a leaf: how many items
+    bool is_leaf() const { return count != kInner; }
+    bool is_empty() const { return count == 0; }
+    static constexpr std::uint32_t kInner = 0xffffffff;
+};
+
+struct alignas(64) Family {
+    std::array<Node, 8> children;
+};
+
+struct Tree {
+    Node root;
+    std::vector<Family> families;
+    std::vector<std::uint32_t> items;
+};
+
+// ---- Build ----------------------------------------------------------------------------------------------------------
+
+constexpr std::size_t kMostInLeaf = 4;
+constexpr int kMostDeep = 20;
+/// Along the way to a leaf the lists together may grow by this factor: a leaf's share of all entries is its length over
+/// the growth on its way, and the shares add up to one entry a primitive, so there are at most kMostGrowth of them.
+/// Without this rule a thousand nested spheres fill the memory.
+constexpr Real kMostGrowth = 12;
+constexpr Real kNoBurden = 65536;                ///< as many entries are allowed to every scene
+constexpr int kShared = 2;                       ///< down to here one thread splits; the nodes there are shared out
+constexpr std::size_t kWorthSharing = 4096;
+
+/// Does the surface come near the cell, as far as one can tell quickly? Bounds say too often that it does: of a sphere
+/// around the cell, and of a slanted triangle.
+class SurfaceTest {
+public:
+    SurfaceTest(const PrimitiveTester& tester, Real slack) : tester_(tester), slack_(slack) {}
+
+    bool reaches(std::uint32_t primitive, const Bounds& cell) const {
+        const Scene& scene = tester_.scene();
+        const Primitive p = tester_.primitives()[primitive];
+        const Object& object = scene.objects[p.object];
+        const bool moved = object.transform != kNone;
+        const Vec3 center = Real(0.5) * (cell.min + cell.max), half = Real(0.5) * (cell.max - cell.min) + slack_;
+        switch (object.kind) {
+            case ShapeKind::sphere: return moved || reaches(scene.spheres[object.shape], center, half);
+            case ShapeKind::triangle: return moved || reaches(scene.triangles[object.shape], center, half);
+            case ShapeKind::smooth_triangle:
+                return moved || reaches(scene.smooth_triangles[object.shape].triangle, center, half);
+            case ShapeKind::mesh: return moved || reaches(face(scene.meshes[object.shape], p.part), center, half);
+            default: return true;
+        }
+    }
+
+private:
+    static Triangle face(const Mesh& mesh, std::uint32_t part) {
+        const auto [a, b, c] = mesh.faces[part].position;
+        return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+    }
+
+    /// Between the nearest and the farthest point of the cell there is one at the distance of the radius.
+    bool reaches(const Sphere& sphere, const Vec3& center, const Vec3& half) const {
+        const Vec3 away = glm::abs(center - sphere.center);
+        const Vec3 nearest = glm::max(away - half, Vec3(0)), farthest = away + half;
+        return glm::length(nearest) <= sphere.radius + slack_ && glm::length(farthest) >= sphere.radius - slack_;
+    }
+
+    /// The plane of the triangle cuts the cell.
+    bool reaches(const Triangle& t, const Vec3& center, const Vec3& half) const {
+        const Vec3 normal = glm::cross(t.b - t.a, t.c - t.a);
+        const Real reach = glm::dot(glm::abs(normal), half) + slack_ * glm::length(normal);
+        return !(std::abs(glm::dot(normal, center - t.a)) > reach);
+    }
+
+    const PrimitiveTester& tester_;
+    Real slack_;
+};
+
+class Builder {
+public:
+    Builder(const PrimitiveTester& tester, const Contents& contents)
+        : contents_(contents), surfaces_(tester, contents.slack),
+          most_growth_(std::max(kMostGrowth, kNoBurden / static_cast<Real>(contents.inside.size()))) {}
+
+    Tree build() {
+        Tree tree;
+        std::vector<Job> jobs;
+        grow(tree, {contents_.inside, contents_.box, 0, 1, {}}, contents_.inside.size() < kParallelFrom ? nullptr : &jobs);
+        std::vector<Tree> subtrees(jobs.size());
+        std::atomic<std::size_t> next = 0;
+        in_parallel_parts(jobs.size(), 2, [&](std::size_t, std::size_t, std::size_t) {
+            for (std::size_t i = next++; i < jobs.size(); i = next++) {
+                Job job = std::move(jobs[i]);
+                job.place.family = kRoot;
+                grow(subtrees[i], std::move(job), nullptr);
+            }
+        });
+        for (std::size_t i = 0; i < jobs.size(); ++i) attach(tree, jobs[i].place, std::move(subtrees[i]));
+        return tree;
+    }
+
+private:
+    static constexpr std::uint32_t kRoot = 0xffffffff;
+    /// Families move while they are made, so a node is known by its place.
+    struct Place {
+        std::uint32_t family = kRoot;
+        unsigned octant = 0;
+    };
+    struct Job {
+        std::vector<std::uint32_t> items;
+        Bounds box;
+        int depth = 0;
+        Real growth = 1;
+        Place place;
+    };
+
+    static Node& node_at(Tree& tree, Place place) {
+        return place.family == kRoot ? tree.root : tree.families[place.family].children[place.octant];
+    }
+
+    void grow(Tree& tree, Job job, std::vector<Job>* jobs) const {
+        if (jobs && job.depth == kShared && job.items.size() >= kWorthSharing) {
+            jobs->push_back(std::move(job));
+            return;
+        }
+        if (job.items.size() <= kMostInLeaf || job.depth == kMostDeep) return make_leaf(tree, job);
+        std::array<Job, 8> children = split(job);
+        std::size_t entries = 0;
+        for (const Job& child : children) entries += child.items.size();
+        const Real growth = job.growth * static_cast<Real>(entries) / static_cast<Real>(job.items.size());
+        if (growth > most_growth_) return make_leaf(tree, job);
+        const auto family = static_cast<std::uint32_t>(tree.families.size());
+        tree.families.emplace_back();
+        node_at(tree, job.place) = {family, Node::kInner};
+        job.items = {};
+        for (unsigned o = 0; o < 8; ++o) {
+            if (children[o].items.empty()) continue;
+            children[o].growth = growth;
+            children[o].place = {family, o};
+            grow(tree, std::move(children[o]), jobs);
+        }
+    }
+
+    std::array<Job, 8> split(const Job& job) const {
+        std::array<Job, 8> children;
+        for (unsigned o = 0; o < 8; ++o) {
+            children[o].box = octant_of(job.box, o);
+            children[o].depth = job.depth + 1;
+        }
+        for (const std::uint32_t item : job.items) {
+            for (unsigned rest = octants_overlapping(job.box, contents_.bounds[item]); rest != 0; rest &= rest - 1) {
+                Job& child = children[static_cast<unsigned>(std::countr_zero(rest))];
+                if (surfaces_.reaches(item, child.box)) child.items.push_back(item);
+            }
+        }
+        return children;
+    }
+
+    static void make_leaf(Tree& tree, const Job& job) {
+        node_at(tree, job.place) = {static_cast<std::uint32_t>(tree.items.size()), static_cast<std::uint32_t>(job.items.size())};
+        tree.items.insert(tree.items.end(), job.items.begin(), job.items.end());
+    }
+
+    /// Puts a tree that was made by itself where its root belongs.
+    static void attach(Tree& tree, Place place, Tree&& subtree) {
+        const auto families = static_cast<std::uint32_t>(tree.families.size());
+        const auto items = static_cast<std::uint32_t>(tree.items.size());
+        const auto moved = [&](Node node) { return Node{node.first + (node.is_leaf() ? items : families), node.count}; };
+        node_at(tree, place) = moved(subtree.root);
+        for (Family& family : subtree.families) {
+            for (Node& node : family.children) node = moved(node);
+            tree.families.push_back(family);
+        }
+        tree.items.insert(tree.items.end(), subtree.items.begin(), subtree.items.end());
+        subtree = {};
+    }
+
+    const Contents& contents_;
+    SurfaceTest surfaces_;
+    Real most_growth_;
+};
+
+// ---- Walk -----------------------------------------------------------------------------------------------------------
+
+class Octree final : public Intersector {
+public:
+    explicit Octree(const Scene& scene) : tester_(scene) {
+        Contents contents = contents_of(scene, tester_.primitives(), kSlack);
+        outside_ = std::move(contents.outside);
+        box_ = contents.box;
+        slack_ = contents.slack;
+        if (!contents.inside.empty()) tree_ = Builder(tester_, contents).build();
+        tree_.families.shrink_to_fit();
+        tree_.items.shrink_to_fit();
+    }
+
+private:
+    /// Of the octree's extent: a hundredth of the smallest leaf.
+    static constexpr Real kSlack = Real(1e-8);
+
+    std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
+        Candidate best;
+        ask_leaves(ray, range, [&](std::uint32_t primitive, Real& far) {
+            tester_.keep_nearer(primitive, ray, range, best);
+            if (best.primitive != kNone) far = best.root.t;
+            return false;
+        });
+        return tester_.complete(ray, best);
+    }
+
+    bool find_occluder(const Ray& ray, Interval range) const override {
+        return ask_leaves(ray, range, [&](std::uint32_t primitive, Real&) { return tester_.blocks(primitive, ray, range); });
+    }
+
+    /// Calls ask(primitive, far) until it says true; `far` is how far the ray still has to go.
+    template <class Ask>
+    bool ask_leaves(const Ray& ray, Interval range, Ask ask) const {
+        const auto usable = without_zeros(ray);
+        if (!usable) return false;
+        Real far = range.max;
+        for (const std::uint32_t i : outside_)
+            if (ask(i, far)) return true;
+        if (tree_.root.is_empty()) return false;
+        if (const Real blur = rounding_of(ray, box_); !(blur < slack_)) return walk_blurred(ray, range, far, blur, ask);
+        return effort ? walk<true>(*usable, range, far, ask) : walk<false>(*usable, range, far, ask);
+    }
+
+    struct Open {
+        Node node;
+        Slabs slabs;
+    };
+    /// Of every family on the way down three at most wait while the fourth is open.
+    static constexpr std::size_t kStack = 3 * kMostDeep + 4;
+
+    template <bool kWatched, class Ask>
+    bool walk(const Ray& ray, Interval range, Real far, Ask ask) const {
+        const OctreeRay seen = octree_ray(box_, ray);
+        std::array<Open, kStack> stack;
+        std::size_t size = 0;
+        stack[size++] = {tree_.root, seen.root};
+        Mailbox mailbox;
+        const auto ask_once = [&](std::uint32_t i, Real& to) { return !mailbox.was_asked(i) && ask(i, to); };
+        while (size > 0) {
+            const Open open = stack[--size];
+            const Real enter = std::max(range.min, open.slabs.enter());
+            if (!(enter <= far)) continue;
+            if constexpr (kWatched) watch(open, ray);
+            if (open.node.is_leaf()) {
+                if (ask_all_of(open.node, far, ask_once)) return true;
+                continue;
+            }
+            std::array<Octant, 4> octants;
+            const auto& children = tree_.families[open.node.first].children;
+            for (int i = octants_along(open.slabs, seen.mirror, {enter, far}, octants); i-- > 0;) {
+                const Octant& o = octants[static_cast<std::size_t>(i)];
+                if (!children[o.octant].is_empty()) stack[size++] = {children[o.octant], o.slabs};
+            }
+        }
+        return false;
+    }
+
+    template <class Ask>
+    bool ask_all_of(const Node& leaf, Real& far, Ask ask) const {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+            if (ask(tree_.items[k], far)) return true;
+        return false;
+    }
+
+    /// For rays from so far away that their rounding is larger than the slack: every box as large as the blur.
+    template <class Ask>
+    bool walk_blurred(const Ray& ray, Interval range, Real far, Real blur, Ask ask) const {
+        struct Blurred {
+            Node node;
+            Bounds box;
+        };
+        std::array<Blurred, 7 * kMostDeep + 8> stack;
+        std::size_t size = 0;
+        stack[size++] = {tree_.root, box_};
+        while (size > 0) {
+            const auto [node, box] = stack[--size];
+            if (!clip(ray, {range.min, far}, {box.min - blur, box.max + blur})) continue;
+            if (node.is_leaf()) {
+                if (ask_all_of(node, far, ask)) return true;
+                continue;
+            }
+            for (unsigned o = 0; o < 8; ++o) {
+                const Node& child = tree_.families[node.first].children[o];
+                if (!child.is_empty()) stack[size++] = {child, octant_of(box, o)};
+            }
+        }
+        return false;
+    }
+
+    static void watch(const Open& open, const Ray& ray) {
+        ++effort->nodes;
+        if (!effort->visited || !open.node.is_leaf()) return;
+        Bounds box;
+        for (int a = 0; a < 3; ++a) {
+            const Real near = ray.origin[a] + open.slabs.near[a] * ray.direction[a];
+            const Real far = ray.origin[a] + open.slabs.far[a] * ray.direction[a];
+            box.min[a] = std::min(near, far);
+            box.max[a] = std::max(near, far);
+        }
+        effort->visited->push_back(box);
+    }
+
+    PrimitiveTester tester_;
+    Bounds box_;
+    Real slack_ = 0;
+    std::vector<std::uint32_t> outside_;  ///< asked by every ray
+    Tree tree_;
+};
+
+}  // namespace
+//< hidden
+
+std::unique_ptr<Intersector> make_octree(const Scene& scene) {
+    //> 4.6 A class like the grid's.
+    return std::make_unique<Octree>(scene);
+    //< 4.6
+}
+
+}  // namespace rays

@@ -1,0 +1,42 @@
+// A ray against an axis-aligned box, between its pairs of parallel planes.
+#include <algorithm>
+#include <cmath>
+
+#include "4_partitioning/structures.h"
+#include "core/unfinished.h"
+
+namespace rays {
+
+std::optional<Span> clip(const Ray& ray, Interval range, const Bounds& box) {
+    // Task 4.2: Between the two planes of each axis the ray is in a slab; in the box it is in all three. A direction of 0
+    // divides by 0 there: such a ray is in the slab for ever, or never. Push both ends outwards by some roundings.
+    unfinished("4.2");
+    return {};
+}
+
+Real rounding_of(const Ray& ray, const Bounds& box) {
+    const auto largest = [](const Vec3& v) { return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z))); };
+    const Real reach = std::max(largest(box.min), largest(box.max));
+    return 8 * std::numeric_limits<Real>::epsilon() * (largest(ray.origin) + reach);
+}
+
+bool is_ray(const Ray& ray) {
+    constexpr Real kLargest = sizeof(Real) == 8 ? Real(1e50) : Real(1e7);  // their products are numbers, too
+    const Vec3 size = glm::abs(ray.direction), away = glm::abs(ray.origin);
+    const Real direction = std::max(size.x, std::max(size.y, size.z));
+    const Real origin = std::max(away.x, std::max(away.y, away.z));
+    return !glm::any(glm::isnan(size)) && !glm::any(glm::isnan(away)) && direction > 1 / kLargest && direction < kLargest && origin < kLargest * kLargest;
+}
+
+std::optional<Ray> without_zeros(const Ray& ray) {
+    if (!is_ray(ray)) return std::nullopt;
+    const Vec3 size = glm::abs(ray.direction);
+    const Real largest = std::max(size.x, std::max(size.y, size.z));
+    Ray result = ray;
+    const Real least = std::numeric_limits<Real>::epsilon() / 4 * largest;
+    for (int a = 0; a < 3; ++a)
+        if (size[a] < least) result.direction[a] = std::copysign(least, ray.direction[a]);
+    return result;
+}
+
+}  // namespace rays
