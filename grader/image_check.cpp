@@ -131,9 +131,11 @@ Target target_of(const Bench& bench, const SceneTask& scene) {
     return target;
 }
 
-std::vector<std::string> options_of(const SceneTask& scene) {
-    if (scene.partition.empty()) return {};
-    return {"--partition", scene.partition};
+// In steps 1 and 2 everybody is asked, by the student's own nearest_hit and any_occluder: these are tasks there, which a
+// structure would pass by.
+std::vector<std::string> options_of(int step, const SceneTask& scene) {
+    if (!scene.partition.empty()) return {"--partition", scene.partition};
+    return step < 3 ? std::vector<std::string>{"--partition", "none"} : std::vector<std::string>{};
 }
 
 Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& program, const std::string& mode) {
@@ -148,7 +150,7 @@ Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& 
     check.image.emplace().scene = scene.scene;
     try {
         const Target target = target_of(bench, scene);
-        const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits, options_of(scene));
+        const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits, options_of(bench.step.number, scene));
         check.image->student = kept(bench, check.id, shot.exr);
         if (!bench.out.empty()) check.image->reference = fs::relative(target.reference, bench.out).string();
         check.image->width = target.truth.raster().width;
