@@ -133,8 +133,8 @@ Target target_of(const Bench& bench, const SceneTask& scene) {
 
 // In steps 1 and 2 everybody is asked, by the student's own nearest_hit and any_occluder: these are tasks there, which a
 // structure would pass by.
-std::vector<std::string> options_of(int step, const SceneTask& scene) {
-    if (!scene.partition.empty()) return {"--partition", scene.partition};
+std::vector<std::string> options_of(int step, const std::string& partition) {
+    if (!partition.empty()) return {"--partition", partition};
     return step < 3 ? std::vector<std::string>{"--partition", "none"} : std::vector<std::string>{};
 }
 
@@ -150,7 +150,8 @@ Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& 
     check.image.emplace().scene = scene.scene;
     try {
         const Target target = target_of(bench, scene);
-        const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits, options_of(bench.step.number, scene));
+        const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits,
+                                options_of(bench.step.number, scene.partition));
         check.image->student = kept(bench, check.id, shot.exr);
         if (!bench.out.empty()) check.image->reference = fs::relative(target.reference, bench.out).string();
         check.image->width = target.truth.raster().width;
@@ -209,7 +210,8 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
             check.message = "the solution cannot render a fresh scene: " + truth.against->message;
             return check;
         }
-        const Shot shot = shoot(bench.sandbox, bench.student, files, {kFreshWidth, kFreshHeight}, bench.limits);
+        const Shot shot = shoot(bench.sandbox, bench.student, files, {kFreshWidth, kFreshHeight}, bench.limits,
+                                options_of(bench.step.number, {}));
         judge({bench, bench.student, files, truth.truth, kFreshTolerance, kLeastAllowed}, shot, one);
         check.seconds += one.seconds;
         right += one.verdict == Verdict::pass;
