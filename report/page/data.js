@@ -16,7 +16,7 @@ R.names = (check) => {
 };
 
 /** The steps, and after them what was handed in: pictures and report, judged by checks of the same form. */
-R.steps = [...R.list(R.results.steps), R.results.handed_in].filter(Boolean).map(R.object).map((step, index) => ({
+R.steps = [...R.list(R.results.steps), ...(R.results.handed_in ? [R.results.handed_in] : [])].map(R.object).map((step, index) => ({
     raw: step,
     anchor: `step-${index}`,
     name: R.isNumber(step.number) ? `Step ${step.number}` : step === R.results.handed_in ? "Handed in" : R.text(step.id),
