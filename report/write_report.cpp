@@ -84,6 +84,7 @@ void for_each_check(json& results, const Work& work) {
             if (item.is_object()) visit(item);
     };
     each(results, "steps", [&](json& step) { each(step, "checks", work); });
+    if (results.is_object() && results.contains("handed_in")) each(results["handed_in"], "checks", work);
 }
 
 void shorten_questions(json& check, const Detail& detail) {

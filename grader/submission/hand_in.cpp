@@ -10,6 +10,7 @@
 #include "grader/submission/handed_in.h"
 #include "grader/submission/template.h"
 #include "grader/text.h"
+#include "grader/verdicts.h"
 #include "support/files.h"
 
 namespace rays::grader {
@@ -27,13 +28,13 @@ void write_templates(const fs::path& folder, HandInResult& result) {
     write(kReportFile, report_template(read_submission(folder).pictures));
 }
 
-/// The picture as the student's program writes it. Without one, the check that follows says why.
-void render(const HandInBench& bench, const SubmittedPicture& picture) {
+/// The picture as the student's program writes it. Returns why there is none; empty when there is one.
+std::string render(const HandInBench& bench, const SubmittedPicture& picture) {
     Job job;
     try {
         job.files = submitted_scene(bench, picture.scene);
-    } catch (const InputError&) {
-        return;
+    } catch (const InputError& e) {
+        return e.what();
     }
     const std::string name = "picture" + fs::path(picture.file).extension().string();
     job.program = bench.student;
@@ -42,7 +43,10 @@ void render(const HandInBench& bench, const SubmittedPicture& picture) {
                      "--height", std::to_string(picture.raster.height), "--threads", "1"};
     job.outputs = {name};
     JobResult result = bench.sandbox.run(job);
-    if (result.ended.ok() && result.files[name].taken) write_atomically(bench.folder / picture.file, result.files[name].bytes);
+    if (const auto against = against_run(result.ended)) return against->message;
+    if (!result.files[name].taken) return "the picture " + result.files[name].problem;
+    write_atomically(bench.folder / picture.file, result.files[name].bytes);
+    return {};
 }
 
 std::vector<std::string> step_files(const fs::path& steps) {
@@ -120,7 +124,9 @@ HandInResult hand_in(const Project& project, const WorkingCopy& copy, const fs::
     if (project.sanitized()) limits.memory_mb = 0;
     const int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const HandInBench bench{project, *sandbox, project.program("render-solution"), copy.program, copy.submission, {}, limits, workers};
-    for (const SubmittedPicture& picture : read_submission(copy.submission).pictures) render(bench, picture);
+    for (const SubmittedPicture& picture : read_submission(copy.submission).pictures)
+        if (const std::string why = render(bench, picture); !why.empty())
+            result.failed.push_back(fmt::format("{} was not rendered: {}", picture.file, why));
     result.checked = grade_handed_in(bench, read_rubric(project.root / "grader" / "rubric.json"));
     const TemporaryFolder scratch;
     Gathering gathering(scratch.path());
@@ -138,6 +144,7 @@ bool is_complete(const HandInResult& result) {
 std::string hand_in_text(const HandInResult& result, const fs::path& out) {
     std::string text;
     for (const std::string& name : result.made) text += fmt::format("submission/{} was missing: a template has been written, please edit it\n", name);
+    for (const std::string& failure : result.failed) text += plain(failure, 400) + "\n";
     for (const Check& c : result.checked.checks) {
         text += fmt::format("{:<14} {}{}\n", to_string(c.verdict), plain(c.title, 60),
                             c.max > 0 ? fmt::format("  ({:.4g} of {:.4g} points)", c.points, c.max) : std::string());

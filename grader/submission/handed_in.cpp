@@ -120,6 +120,8 @@ HandedIn grade_handed_in(const HandInBench& bench, const Rubric& rubric) {
         result.max += c.max;
     }
     result.verdict = combine(verdicts);
+    // It is a step that does not build; here this is a picture that cannot be rendered again.
+    if (result.verdict == Verdict::build_error) result.verdict = Verdict::fail;
     result.report = report_text(bench.folder);
     return result;
 }

@@ -15,10 +15,11 @@ R.names = (check) => {
     return {title: scene[0].toUpperCase() + scene.slice(1), shows: title.toLowerCase() === scene.toLowerCase() ? "" : title};
 };
 
-R.steps = R.list(R.results.steps).map(R.object).map((step, index) => ({
+/** The steps, and after them what was handed in: pictures and report, judged by checks of the same form. */
+R.steps = [...R.list(R.results.steps), ...(R.results.handed_in ? [R.results.handed_in] : [])].map(R.object).map((step, index) => ({
     raw: step,
     anchor: `step-${index}`,
-    name: R.isNumber(step.number) ? `Step ${step.number}` : R.text(step.id),
+    name: R.isNumber(step.number) ? `Step ${step.number}` : step === R.results.handed_in ? "Handed in" : R.text(step.id),
     title: R.text(step.title) || R.text(step.id),
     verdict: R.text(step.verdict),
     tasks: R.list(step.tasks).map(R.object),
@@ -28,7 +29,9 @@ R.steps = R.list(R.results.steps).map(R.object).map((step, index) => ({
         ...R.names(check),
         verdict: R.text(check.verdict),
         tone: R.verdict(check.verdict).tone,
-        fresh: check.kind === "fresh",  // a scene made for this run: the truth is the solution's picture, not POV-Ray's
+        // A scene made for this run, or the student's own: the truth is the solution's picture, not POV-Ray's.
+        fresh: check.kind === "fresh" || check.kind === "demonstration",
+        demonstration: check.kind === "demonstration" && Boolean(check.image),
         image: check.image ? R.object(check.image) : null,
         chart: check.chart ? R.object(check.chart) : null,
         same: [],  // passed checks with the very same picture, shown with this one

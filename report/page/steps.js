@@ -32,7 +32,8 @@ R.folded = (checks) => {
 };
 
 R.stepSection = (step) => {
-    const groups = [["Pictures against POV-Ray's", "pictures", (c) => c.image && !c.fresh], ["Where the method must hold", "charts", (c) => c.chart && !c.image], ["Questions and fresh scenes", "texts", (c) => c.fresh || (!c.image && !c.chart)]];
+    const groups = [["Pictures against POV-Ray's", "pictures", (c) => c.image && !c.fresh], ["Where the method must hold", "charts", (c) => c.chart && !c.image], [step.raw === R.results.handed_in ? "What they have to show, and the report" : "Questions and fresh scenes", "texts", (c) => !c.demonstration && (c.fresh || (!c.image && !c.chart))],
+        ["Pictures handed in, rendered again and against the solution's", "pictures", (c) => c.demonstration]];
     const section = R.h("section", {class: "step", id: step.anchor, "aria-labelledby": `${step.anchor}-title`},
         R.h("div", {class: "section-head step-head"}, R.h("div", {}, R.h("p", {class: "kicker", text: step.name}), R.h("h2", {id: `${step.anchor}-title`, text: step.title})),
             R.h("div", {class: "step-score"}, R.badge(step.verdict), R.h("span", {class: "points"}, R.h("b", {text: R.points(step.raw.points)}), ` / ${R.points(step.raw.max)}`))),
@@ -47,6 +48,7 @@ R.stepSection = (step) => {
         section.append(R.h("div", {class: "group", "data-state": good ? "pass" : "open"},
             R.h("h3", {text: title}), ...R.folded(checks).map(([list, wrap]) => wrap(R.h("div", {class: `checks ${name}`}, ...list.map((check) => R.checkArticle(step, check)))))));
     }
+    if (R.text(step.raw.report)) section.append(R.h("div", {class: "group", "data-state": "open"}, R.h("h3", {text: "The report as it was handed in"}), R.h("div", {class: "notice", text: R.text(step.raw.report)})));
     if (step.checks.length > 0 && step.checks.every((check) => check.tone === "good")) section.append(R.h("p", {class: "all-passed", text: "Everything in this step passed."}));
     return section;
 };

@@ -17,10 +17,11 @@ R.rayTrees = (trees) => {
             }
             list.append(item);
         });
-        return R.h("div", {class: "tree-column"}, R.h("h5", {text: name}), list);
+        return R.h("div", {class: "tree-column"}, R.h("h5", {text: name}), R.treePicture(lines, first, name), list);
     };
     const says = R.text(trees.first_difference);
     return R.h("section", {class: "trees"}, R.h("h4", {text: "Ray tree of the worst pixel"}),
         says && R.h("p", {class: "says", text: says}),
+        texts.some((lines) => R.treePicture(lines, -1, "")) && R.treeKey(),
         R.h("div", {class: "tree-pair"}, column("the student", texts[0], texts[1]), column("the solution", texts[1], texts[0])));
 };

@@ -56,7 +56,8 @@ std::optional<Vec3> refract(const Vec3& direction, const Vec3& normal, Real rela
     // Heckbert, "Writing a Ray Tracer", in Glassner (ed.), An Introduction to Ray Tracing, 1989.
     const Real eta = 1 / relative_ior;
     const Real cos_incident = -dot(direction, normal);
-    const Real cos2 = 1 + eta * eta * (cos_incident * cos_incident - 1);
+    // 1 - eta^2 (1 - c^2), in a form that keeps c^2 whole where eta is 1, however grazing.
+    const Real cos2 = (1 - eta) * (1 + eta) + eta * eta * cos_incident * cos_incident;
     if (!(cos2 >= 0)) return std::nullopt;
     return glm::normalize(eta * direction + (eta * cos_incident - std::sqrt(cos2)) * normal);
     //< 3.2
@@ -68,7 +69,7 @@ Real fresnel(Real cos_incident, Real relative_ior) {
     //> 3.3 With n = relative_ior, c = cos_incident and g^2 = n^2 + c^2 - 1:
     //>   F = 1/2 ((g - c) / (g + c))^2 (1 + ((c (g + c) - 1) / (c (g - c) + 1))^2). A negative g^2 is total reflection.
     const Real c = cos_incident;
-    const Real g2 = relative_ior * relative_ior + c * c - 1;
+    const Real g2 = (relative_ior - 1) * (relative_ior + 1) + c * c;
     if (!(g2 > 0)) return 1;
     const Real g = std::sqrt(g2);
     const Real s = (g - c) / (g + c);

@@ -92,9 +92,41 @@ struct Tree {
     std::vector<std::uint32_t> items;
 };
 
+/// The box of an item beside the item itself: most are passed by, and need not be looked up at all.
+struct ItemBox {
+    std::array<float, 3> min, max;
+};
+
+ItemBox item_box(const Bounds& bounds) {
+    constexpr float kLargest = std::numeric_limits<float>::max();
+    ItemBox box;
+    for (int a = 0; a < 3; ++a) {
+        box.min[static_cast<std::size_t>(a)] = std::nextafter(static_cast<float>(bounds.min[a]), -kLargest);
+        box.max[static_cast<std::size_t>(a)] = std::nextafter(static_cast<float>(bounds.max[a]), kLargest);
+    }
+    return box;
+}
+
+/// A ray of without_zeros, to hold boxes against. The boxes' slack covers its roundings.
+class BoxRay {
+public:
+    BoxRay(const Ray& ray, Real begin) : origin_(ray.origin), inverse_(Real(1) / ray.direction), begin_(begin) {}
+
+    bool meets(const ItemBox& box, Real far) const {
+        const Vec3 one = (Vec3(box.min[0], box.min[1], box.min[2]) - origin_) * inverse_;
+        const Vec3 other = (Vec3(box.max[0], box.max[1], box.max[2]) - origin_) * inverse_;
+        const Vec3 enter = glm::min(one, other), exit = glm::max(one, other);
+        return std::max(std::max(enter.x, enter.y), std::max(enter.z, begin_)) <= std::min(std::min(exit.x, exit.y), std::min(exit.z, far));
+    }
+
+private:
+    Vec3 origin_, inverse_;
+    Real begin_;
+};
+
 // ---- Build ----------------------------------------------------------------------------------------------------------
 
-constexpr std::size_t kMostInLeaf = 4;
+constexpr std::size_t kMostInLeaf = 16;
 constexpr int kMostDeep = 20;
 /// Along the way to a leaf the lists together may grow by this factor: a leaf's share of all entries is its length over
 /// the growth on its way, and the shares add up to one entry a primitive, so there are at most kMostGrowth of them.
@@ -110,7 +142,8 @@ class SurfaceTest {
 public:
     SurfaceTest(const PrimitiveTester& tester, Real slack) : tester_(tester), slack_(slack) {}
 
-    bool reaches(std::uint32_t primitive, const Bounds& cell) const {
+    /// `thorough`: with all planes, worth its time where the cell is about as large as the primitive.
+    bool reaches(std::uint32_t primitive, const Bounds& cell, bool thorough) const {
         const Scene& scene = tester_.scene();
         const Primitive p = tester_.primitives()[primitive];
         const Object& object = scene.objects[p.object];
@@ -118,10 +151,10 @@ public:
         const Vec3 center = Real(0.5) * (cell.min + cell.max), half = Real(0.5) * (cell.max - cell.min) + slack_;
         switch (object.kind) {
             case ShapeKind::sphere: return moved || reaches(scene.spheres[object.shape], center, half);
-            case ShapeKind::triangle: return moved || reaches(scene.triangles[object.shape], center, half);
+            case ShapeKind::triangle: return moved || reaches(scene.triangles[object.shape], center, half, thorough);
             case ShapeKind::smooth_triangle:
-                return moved || reaches(scene.smooth_triangles[object.shape].triangle, center, half);
-            case ShapeKind::mesh: return moved || reaches(face(scene.meshes[object.shape], p.part), center, half);
+                return moved || reaches(scene.smooth_triangles[object.shape].triangle, center, half, thorough);
+            case ShapeKind::mesh: return moved || reaches(face(scene.meshes[object.shape], p.part), center, half, thorough);
             default: return true;
         }
     }
@@ -139,11 +172,23 @@ private:
         return glm::length(nearest) <= sphere.radius + slack_ && glm::length(farthest) >= sphere.radius - slack_;
     }
 
-    /// The plane of the triangle cuts the cell.
-    bool reaches(const Triangle& t, const Vec3& center, const Vec3& half) const {
-        const Vec3 normal = glm::cross(t.b - t.a, t.c - t.a);
-        const Real reach = glm::dot(glm::abs(normal), half) + slack_ * glm::length(normal);
-        return !(std::abs(glm::dot(normal, center - t.a)) > reach);
+    /// No plane parts triangle and cell: neither the triangle's own nor one along an edge of each (Akenine-Moller, "Fast
+    /// 3D Triangle-Box Overlap Testing", JGT 6(1), 2001; the cell's own planes have been asked by the bounds).
+    bool reaches(const Triangle& t, const Vec3& center, const Vec3& half, bool thorough) const {
+        const Vec3 a = t.a - center, b = t.b - center, c = t.c - center;
+        if (parted(glm::cross(b - a, c - a), a, a, a, half)) return false;
+        if (!thorough) return true;
+        for (const Vec3& edge : {b - a, c - b, a - c})
+            if (parted({0, -edge.z, edge.y}, a, b, c, half) || parted({edge.z, 0, -edge.x}, a, b, c, half) ||
+                parted({-edge.y, edge.x, 0}, a, b, c, half))
+                return false;
+        return true;
+    }
+    bool parted(const Vec3& axis, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& half) const {
+        const Vec3 size = glm::abs(axis);
+        const Real reach = glm::dot(size, half) + slack_ * (size.x + size.y + size.z);
+        const Real u = glm::dot(axis, a), v = glm::dot(axis, b), w = glm::dot(axis, c);
+        return std::min({u, v, w}) > reach || std::max({u, v, w}) < -reach;
     }
 
     const PrimitiveTester& tester_;
@@ -221,10 +266,11 @@ private:
             children[o].box = octant_of(job.box, o);
             children[o].depth = job.depth + 1;
         }
+        const bool thorough = job.items.size() <= 4 * kMostInLeaf;
         for (const std::uint32_t item : job.items) {
             for (unsigned rest = octants_overlapping(job.box, contents_.bounds[item]); rest != 0; rest &= rest - 1) {
                 Job& child = children[static_cast<unsigned>(std::countr_zero(rest))];
-                if (surfaces_.reaches(item, child.box)) child.items.push_back(item);
+                if (surfaces_.reaches(item, child.box, thorough)) child.items.push_back(item);
             }
         }
         return children;
@@ -266,6 +312,8 @@ public:
         if (!contents.inside.empty()) tree_ = Builder(tester_, contents).build();
         tree_.families.shrink_to_fit();
         tree_.items.shrink_to_fit();
+        boxes_.resize(tree_.items.size());
+        in_parallel_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = item_box(contents.bounds[tree_.items[i]]); });
     }
 
 private:
@@ -313,14 +361,16 @@ private:
         std::size_t size = 0;
         stack[size++] = {tree_.root, seen.root};
         Mailbox mailbox;
-        const auto ask_once = [&](std::uint32_t i, Real& to) { return !mailbox.was_asked(i) && ask(i, to); };
+        const BoxRay box_ray(ray, range.min);
         while (size > 0) {
             const Open open = stack[--size];
             const Real enter = std::max(range.min, open.slabs.enter());
             if (!(enter <= far)) continue;
             if constexpr (kWatched) watch(open, ray);
             if (open.node.is_leaf()) {
-                if (ask_all_of(open.node, far, ask_once)) return true;
+                for (std::uint32_t k = open.node.first; k < open.node.first + open.node.count; ++k)
+                    if (box_ray.meets(boxes_[k], far) && !mailbox.was_asked(tree_.items[k]) && ask(tree_.items[k], far))
+                        return true;
                 continue;
             }
             std::array<Octant, 4> octants;
@@ -383,6 +433,7 @@ private:
     Real slack_ = 0;
     std::vector<std::uint32_t> outside_;  ///< asked by every ray
     Tree tree_;
+    std::vector<ItemBox> boxes_;  ///< of the tree's items
 };
 
 }  // namespace

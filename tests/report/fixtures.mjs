@@ -131,6 +131,18 @@ export const hostile = () => {
     return poisoned;
 };
 
+/** Pictures and a report that were handed in, the report by an enemy. */
+export const handedIn = () => {
+    const results = good();
+    const demonstration = (number, verdict, message) => check("", "demonstration", `pictures/${number}.png`, verdict, {id: `handed_in.${number}.png`, mode: "all mine", points: 0, max: 0, message,
+        image: image(SCENES[number], number, verdict === "pass" ? 0 : 1), questions: [{about: "shows spheres", query: "counted", scene: "", expected: "at least 0.2 % of the pixels", answer: "12 %", ok: verdict === "pass"}]});
+    results.handed_in = {id: "handed_in", title: "Pictures and report", verdict: "partial", points: 12, max: 30, report: `# My report\n${HOSTILE}\nThe end.`, checks: [
+        check("", "demonstration", "spheres demonstrated", "pass", {id: "pictures.spheres", points: 5, max: 5, message: "shown by pictures/0.png: 12 %"}),
+        check("", "report", "Every command reproduces its picture", "fail", {id: "report.commands", message: "1 of 2 commands and pictures go together"}),
+        demonstration(0, "pass", "reproduced, and as the solution's; shows spheres"), demonstration(2, "fail", "not reproduced: 612 of 19200 pixels differ")]};
+    return results;
+};
+
 /** More pixels than a page may hold: 20 pairs of noise, each different. */
 export const huge = () => {
     const results = base();
@@ -207,7 +219,7 @@ export const writeFixtures = async (folder, makePictures) => {
     writeFileSync(join(pictures, "absurd.exr"), absurdExr());
     writeFileSync(join(pictures, "cut.exr"), readFileSync(join(pictures, "student-2-0.exr")).subarray(0, 3000));
     const paths = {};
-    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt})) {
+    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt, handedIn})) {
         paths[name] = join(folder, `${name}.json`);
         writeFileSync(paths[name], JSON.stringify(make()));
     }

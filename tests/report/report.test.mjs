@@ -458,6 +458,24 @@ test("a step that does not compile: the compiler's words once, its columns align
     await close();
 });
 
+test("what was handed in: verdicts and reasons, pictures against the solution's, the prose as text and nothing else", async () => {
+    const {page, watch, close} = await open("handedIn");
+    const section = page.locator(".step", {has: page.getByRole("heading", {name: "Pictures and report"})});
+    assert.equal(await section.locator(".kicker").first().textContent(), "Handed in");
+    assert.equal(await section.locator(".check").count(), 4);
+    const picture = section.locator(".check", {hasText: "not reproduced: 612 of 19200 pixels differ"});
+    assert.equal(await picture.getAttribute("data-tone"), "bad");
+    assert.ok(await picture.locator("canvas").count() > 0, "the picture is shown");
+    assert.match(await picture.textContent(), /Solution/);
+    assert.doesNotMatch(await picture.textContent(), /POV-Ray/);
+    const prose = section.locator(".group", {has: page.getByRole("heading", {name: "The report as it was handed in"})}).locator(".notice");
+    assert.match(await prose.textContent(), /# My report[^]*<script>globalThis\.pwned=1<\/script>[^]*The end\./);
+    assert.equal(await prose.locator("*").count(), 0, "no markup of the student's");
+    assert.equal(await page.evaluate(() => globalThis.pwned), undefined);
+    assert.deepEqual(watch, []);
+    await close();
+});
+
 test("on paper both pictures stand beside each other, light, without controls", async () => {
     const {page, close} = await open("wrong", {colorScheme: "dark"});
     await page.emulateMedia({media: "print"});
