@@ -13,6 +13,7 @@
 #include <limits>
 #include <numeric>
 
+#include "4_partitioning/effort.h"
 #include "4_partitioning/partitioning.h"
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
@@ -308,6 +309,7 @@ private:
     };
 
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
+        if (!is_ray(ray)) return std::nullopt;
         Candidate best;
         for (const std::uint32_t i : unbounded_) tester_.keep_nearer(i, ray, range, best);
         walk<true>(ray, range, best, [&](std::uint32_t primitive, BoxRay& box_ray, float& far) {
@@ -323,7 +325,7 @@ private:
     }
 
     bool find_occluder(const Ray& ray, Interval range) const override {
-        if (!(range.min < range.max)) return false;
+        if (!is_ray(ray) || !(range.min < range.max)) return false;
         // Neighbouring points tend to lie in the same shadow: who blocked last is asked first.
         thread_local LastOccluder last;
         if (last.of == number_ && tester_.blocks(last.primitive, ray, range)) return true;
@@ -356,6 +358,8 @@ private:
             for (std::uint32_t k = 0; k < open.count; ++k)
                 if (ask(order_[open.child + k], box_ray, far)) return true;
             if (open.count > 0) continue;
+            if (effort) [[unlikely]]
+                ++effort->nodes;
             const Node& node = nodes_[open.child];
             alignas(32) float enters[kWidth];
             [[maybe_unused]] const int first = size;

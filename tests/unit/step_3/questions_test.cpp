@@ -2,11 +2,10 @@
 // any seed, and every sweep within its stated range.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <map>
 #include <sstream>
 
-#include "questions.h"
+#include "questions/exchange.h"
 #include "renderer/answer.h"
 
 namespace rays::tests {
@@ -15,38 +14,14 @@ namespace {
 using grader::Answer;
 using grader::Question;
 
-/// As the grader reads a line: numbers, or "hit" and numbers, or a word.
-Answer parsed(const std::string& line) {
-    Answer answer;
-    answer.text = line;
-    std::istringstream in(line);
-    std::string word;
-    answer.kind = in >> word ? Answer::Kind::value : Answer::Kind::missing;
-    if (word == "miss") answer.kind = Answer::Kind::miss;
-    if (word == "unfinished") answer.kind = Answer::Kind::unfinished;
-    if (word == "hit") in >> word;
-    while (answer.kind == Answer::Kind::value) {
-        char* end = nullptr;
-        answer.numbers.push_back(std::strtod(word.c_str(), &end));
-        if (*end != '\0') answer.kind = Answer::Kind::error;
-        if (!(in >> word)) break;
-    }
-    return answer;
-}
-
 std::vector<Answer> asked(const std::vector<Question>& questions) {
-    std::ostringstream text;
-    std::string scene;
-    for (const Question& q : questions) {
-        if (q.scene != scene) text << "scene " << q.scene.size() << '\n' << q.scene;
-        scene = q.scene;
-        text << q.query << '\n';
-    }
-    std::istringstream in(text.str());
+    std::vector<const Question*> pointers;
+    for (const Question& question : questions) pointers.push_back(&question);
+    std::istringstream in(grader::question_text(pointers));
     std::stringstream out;
     answer_questions(in, out);
     std::vector<Answer> answers;
-    for (std::string line; std::getline(out, line);) answers.push_back(parsed(line));
+    for (std::string line; std::getline(out, line);) answers.push_back(grader::parse_answer(line));
     answers.resize(questions.size());
     return answers;
 }
@@ -93,7 +68,7 @@ TEST(Questions, EmptyAndHostileAnswersAreWrong) {
     for (const char* line :
          {"", "nan nan nan", "inf inf inf", "1e400 0 0", "1 2", "0 0 0 0 0 0 0 0 0", "hello", "miss", "nan", "nan nan nan nan"})
         for (const Question& q : grader::questions_3_recursion(3)) {
-            const auto judgement = q.judge(parsed(line));
+            const auto judgement = q.judge(grader::parse_answer(line));
             if (judgement.expected == "miss") continue;  // total reflection: the right answer
             EXPECT_FALSE(judgement.ok) << q.query << " accepted '" << line << "'";
         }
