@@ -49,7 +49,7 @@ TEST(NoRays, AreMissesAtOnce) {
     const std::vector<Ray> none{{Vec3(nan), {0, 0, 1}}, {{0, 0, -9}, Vec3(nan)},  {{0, 0, -9}, {nan, 0, 1}}, {{0, nan, -9}, {0, 0, 1}},
                                 {{0, 0, -9}, Vec3(0)},  {{0, 0, -9}, {0, 0, inf}}, {{0, -inf, 0}, {0, 1, 0}}, {{0, 0, -9}, Vec3(-0.0)},
                                 {{0, 0, -9}, Vec3(huge)}, {{0, 0, -9}, Vec3(tiny)}, {Vec3(huge), Vec3(1)}};
-    for (const Partition partition : {Partition::grid, Partition::octree}) {
+    for (const Partition partition : {Partition::grid, Partition::octree, Partition::bvh}) {
         const auto structure = make_structure(scene, partition);
         for (const Ray& ray : none)
             for (const Interval range : {Interval{0, inf}, Interval{-inf, inf}, Interval{nan, 1}, Interval{0, nan}}) {
