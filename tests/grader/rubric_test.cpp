@@ -37,10 +37,10 @@ StepResult result(double sphere, double polygon, double picture) {
 }
 
 Rubric rubric() {
-    return {{{"spheres", "Spheres", 20, false, {"spheres"}, {}, ""},
-             {"polygons", "Polygons", 20, false, {"polygons"}, {}, ""},
-             {"reflection", "Reflection", 20, false, {"reflection"}, {}, "needs step 3"},
-             {"extra", "Extra", 5, true, {"extra"}, {}, ""}},
+    return {{{"spheres", "Spheres", 20, false, {"spheres"}, ""},
+             {"polygons", "Polygons", 20, false, {"polygons"}, ""},
+             {"reflection", "Reflection", 20, false, {"reflection"}, "needs step 3"},
+             {"extra", "Extra", 5, true, {"extra"}, ""}},
             30};
 }
 
