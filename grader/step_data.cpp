@@ -101,7 +101,7 @@ Rubric read_rubric(const fs::path& file) {
         Rubric rubric;
         rubric.extra_limit = j.value("extra_limit", 0.0);
         for (const json& r : j.at("rows")) {
-            RubricRow row{r.at("id"), r.at("title"), r.at("points"), r.value("extra", false), {}, {}, r.value("note", "")};
+            RubricRow row{r.at("id"), r.at("title"), r.at("points"), r.value("extra", false), {}, r.value("note", "")};
             row.counts = r.value("counts", std::vector<std::string>{row.id});
             row.shows = r.value("shows", std::vector<std::string>{});
             rubric.rows.push_back(row);

@@ -43,8 +43,8 @@ struct RubricRow {
     double points = 0;
     bool extra = false;
     std::vector<std::string> counts;  ///< the `rubric` words of tasks that count for it; its own id when none is given
-    std::vector<std::string> shows;   ///< features that pictures of a hand-in must show; equal shares of its points
     std::string note;                 ///< why it is not graded yet, when no task counts for it
+    std::vector<std::string> shows{}; ///< features that pictures of a hand-in must show; equal shares of its points
 };
 
 struct Rubric {

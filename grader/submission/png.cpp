@@ -67,7 +67,7 @@ std::vector<std::uint8_t> inflated(std::string_view packed, std::size_t size) {
     stream.next_out = out.data();
     stream.avail_out = static_cast<uInt>(out.size());
     const int status = ::inflate(&stream, Z_FINISH);
-    const bool whole = stream.avail_out == 0 && (status == Z_STREAM_END || status == Z_BUF_ERROR);
+    const bool whole = stream.avail_out == 0 && status == Z_STREAM_END;
     ::inflateEnd(&stream);
     return whole ? out : std::vector<std::uint8_t>();
 }

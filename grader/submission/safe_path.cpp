@@ -76,7 +76,7 @@ std::string path_problem(const std::string& relative) {
     if (std::any_of(relative.begin(), relative.end(), odd)) return "has a control character or a backslash in it";
     const fs::path path(relative);
     if (path.is_absolute()) return "is absolute: name it from the submission's own folder";
-    if (relative.back() == '/') return "names a folder";
+    if (relative.back() == '/' || relative.find("//") != std::string::npos) return "names a folder";
     for (const fs::path& part : path)
         if (part.empty() || part.string().starts_with('.'))
             return "leads outside, or is hidden: no part of it may begin with a dot";

@@ -273,8 +273,8 @@ TEST(LooksTest, AWrongSizeOrKindIsSaid) {
 TEST(LooksTest, VisibleIsEightLevelsAndMore) {
     EXPECT_EQ(display_level(0), 0);
     EXPECT_EQ(display_level(1), 255);
-    EXPECT_EQ(display_level(0.2140411f), 128);  // sRGB's middle
-    RgbImage a{{10, 1}, std::vector<Rgb>(10, Rgb{0.2140411f, 0, 0})}, b = a;
+    EXPECT_EQ(display_level(0.2158605f), 128);  // ((128 / 255 + 0.055) / 1.055)^2.4
+    RgbImage a{{10, 1}, std::vector<Rgb>(10, Rgb{0.2158605f, 0, 0})}, b = a;
     b.pixels[3][0] = 0.2307f;  // 132: four levels more
     EXPECT_EQ(visible_share(a, b), 0);
     b.pixels[3][0] = 0.25f;  // 137

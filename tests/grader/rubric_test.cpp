@@ -17,7 +17,7 @@ Step step_one() {
     s.tasks = {{"1.3", "Sphere", 8, "spheres", "", {}},
                {"1.6", "Polygon", 4, "polygons", "", {}},
                {"1.10", "Torus", 2, "extra", "", {}}};
-    s.scenes = {{"1/one.pov", {"1.3"}, 2, ""}};
+    s.scenes = {{"1/one.pov", {"1.3"}, 2, "", {}}};
     return s;
 }
 
