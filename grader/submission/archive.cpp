@@ -63,7 +63,8 @@ std::size_t copy_out(const fs::path& file, archive* reader, const fs::path& targ
     for (;;) {
         const auto n = archive_read_data(reader, block.data(), block.size());
         if (n == 0) break;
-        if (n < 0) refuse(file, "is damaged: " + plain(archive_error_string(reader) ? archive_error_string(reader) : ""));
+        if (n < 0)
+            refuse(file, "is damaged: " + plain(archive_error_string(reader) ? archive_error_string(reader) : ""));
         total += static_cast<std::size_t>(n);
         if (total > room) refuse(file, "unpacks to more bytes than a submission may have");
         out.write(block.data(), n);

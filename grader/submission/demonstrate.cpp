@@ -24,7 +24,8 @@ constexpr const char* kCourseScenes = "scenes/";
 
 std::string file_stem(const std::string& file) {
     std::string stem = fs::path(file).replace_extension().string();
-    std::replace_if(stem.begin(), stem.end(), [](unsigned char c) { return !std::isalnum(c) && c != '_' && c != '-'; }, '.');
+    std::replace_if(
+        stem.begin(), stem.end(), [](unsigned char c) { return !std::isalnum(c) && c != '_' && c != '-'; }, '.');
     return stem;
 }
 
@@ -109,7 +110,8 @@ private:
     }
 
     bool render() {
-        if (bench_.student.empty()) return stop(Verdict::build_error, "your steps do not build, so nothing can be rendered again");
+        if (bench_.student.empty())
+            return stop(Verdict::build_error, "your steps do not build, so nothing can be rendered again");
         student_ = shoot(bench_.sandbox, bench_.student, files_, result_.picture.raster, bench_.limits);
         result_.check.seconds += student_.seconds;
         if (student_.against)
@@ -122,11 +124,13 @@ private:
         const Likeness like = likeness(result_.picture.file, bytes_, student_.picture);
         result_.reproduced = like.same();
         if (result_.reproduced) return true;
-        if (!like.problem.empty()) return stop(Verdict::fail, fmt::format("{} {}", plain(result_.picture.file), like.problem));
-        return stop(Verdict::fail, fmt::format("not reproduced: {} of {} pixels of {} differ from what your program renders "
-                                               "at {} x {}; render it anew with ./rays submission",
-                                               like.differing, like.pixels, plain(result_.picture.file),
-                                               result_.picture.raster.width, result_.picture.raster.height));
+        if (!like.problem.empty())
+            return stop(Verdict::fail, fmt::format("{} {}", plain(result_.picture.file), like.problem));
+        return stop(Verdict::fail,
+                    fmt::format("not reproduced: {} of {} pixels of {} differ from what your program renders "
+                                "at {} x {}; render it anew with ./rays submission",
+                                like.differing, like.pixels, plain(result_.picture.file), result_.picture.raster.width,
+                                result_.picture.raster.height));
     }
 
     bool agree() {
@@ -142,7 +146,8 @@ private:
         if (result_.counts) return true;
         explain();
         std::string waits;
-        for (const UnfinishedPlace& place : student_.unfinished) waits += (waits.empty() ? "; it waits for task " : ", ") + place.task;
+        for (const UnfinishedPlace& place : student_.unfinished)
+            waits += (waits.empty() ? "; it waits for task " : ", ") + place.task;
         return stop(student_.unfinished.empty() ? Verdict::fail : Verdict::not_started,
                     fmt::format("reproduced, but {} of {} pixels differ from the solution's picture{}", d.beyond,
                                 solution_.picture.pixels.size(), waits));
@@ -181,7 +186,8 @@ private:
         check.message = "reproduced, and as the solution's; ";
         check.message += shown.empty() && not_shown.empty() ? "but submission.json claims nothing for it"
                          : not_shown.empty()                ? "shows " + shown
-                                                            : fmt::format("{}does not show {}", shown.empty() ? "" : "shows " + shown + ", but ", not_shown);
+                                                            : fmt::format("{}does not show {}",
+                                                           shown.empty() ? "" : "shows " + shown + ", but ", not_shown);
     }
 
     const HandInBench& bench_;
@@ -200,7 +206,8 @@ SceneFiles submitted_scene(const HandInBench& bench, const std::string& scene) {
     if (scene.starts_with(kCourseScenes) && fs::is_regular_file(course)) return scene_files(course);
     const OutputFile file = read_inside(bench.folder, scene, kLargestScene);
     if (!file.taken)
-        throw InputError(fmt::format("the scene {} {}: name one of the course (scenes/...) or hand yours in, too", scene, file.problem));
+        throw InputError(fmt::format("the scene {} {}: name one of the course (scenes/...) or hand yours in, too",
+                                     scene, file.problem));
     return scene_files(bench.folder / scene);
 }
 
@@ -211,8 +218,9 @@ Demonstration demonstrate(const HandInBench& bench, const SubmittedPicture& pict
     result.check.kind = "demonstration";
     result.check.mode = "all mine";
     result.check.title = plain(picture.file);
-    result.check.reproduce = fmt::format("./rays render {} -o {} --from student --width {} --height {}", plain(picture.scene),
-                                         plain(picture.file), picture.raster.width, picture.raster.height);
+    result.check.reproduce =
+        fmt::format("./rays render {} -o {} --from student --width {} --height {}", plain(picture.scene),
+                    plain(picture.file), picture.raster.width, picture.raster.height);
     ImageResult& image = result.check.image.emplace();
     image.scene = plain(picture.scene);
     image.width = picture.raster.width;

@@ -22,8 +22,9 @@ json asked(const Sandbox& sandbox, const std::filesystem::path& program, const S
     job.program = program;
     job.files = files;
     job.limits = limits;
-    job.arguments = {files.front().name, "--width", std::to_string(raster.width), "--height",
-                     std::to_string(raster.height), "--threads", "1"};
+    job.arguments = {
+        files.front().name, "--width", std::to_string(raster.width), "--height", std::to_string(raster.height),
+        "--threads",        "1"};
     job.arguments.insert(job.arguments.end(), options.begin(), options.end());
     const JobResult result = sandbox.run(job);
     const json answer = json::parse(result.ended.ok() ? result.ended.out : std::string(), nullptr, false);
@@ -34,7 +35,11 @@ json asked(const Sandbox& sandbox, const std::filesystem::path& program, const S
 
 FeatureProver::FeatureProver(const Sandbox& sandbox, std::filesystem::path solution, const SceneFiles& files,
                              Raster raster, const Limits& limits, const RgbImage& whole)
-    : sandbox_(sandbox), solution_(std::move(solution)), files_(files), raster_(raster), limits_(limits),
+    : sandbox_(sandbox),
+      solution_(std::move(solution)),
+      files_(files),
+      raster_(raster),
+      limits_(limits),
       whole_(whole) {
     ask_effects();
     ask_shapes();
@@ -49,8 +54,7 @@ void FeatureProver::ask_shapes() {
     const json answer = asked(sandbox_, solution_, files_, raster_, limits_, {"--seen"});
     const double pixels = double(raster_.width) * raster_.height;
     const json seen = answer.value("seen", json::object());
-    for (const auto& [name, count] : seen.items())
-        shapes_[name] = count.get<double>() / pixels;
+    for (const auto& [name, count] : seen.items()) shapes_[name] = count.get<double>() / pixels;
     // The assignment's polygons: whatever is flat and has corners.
     for (const char* kind : {"triangles", "smooth_triangles", "meshes"})
         if (shapes_.count(kind)) shapes_["polygons"] += shapes_[kind];

@@ -50,8 +50,8 @@ private:
     Raster raster_;
     Limits limits_;
     const RgbImage& whole_;
-    std::map<std::string, bool> effects_;      ///< name -> does the scene need it
-    std::map<std::string, double> shapes_;     ///< name -> share of the pixels that see it first
+    std::map<std::string, bool> effects_;   ///< name -> does the scene need it
+    std::map<std::string, double> shapes_;  ///< name -> share of the pixels that see it first
 };
 
 }  // namespace rays::grader

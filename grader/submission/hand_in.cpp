@@ -39,8 +39,15 @@ std::string render(const HandInBench& bench, const SubmittedPicture& picture) {
     const std::string name = "picture" + fs::path(picture.file).extension().string();
     job.program = bench.student;
     job.limits = bench.limits;
-    job.arguments = {job.files.front().name, "-o", name, "--width", std::to_string(picture.raster.width),
-                     "--height", std::to_string(picture.raster.height), "--threads", "1"};
+    job.arguments = {job.files.front().name,
+                     "-o",
+                     name,
+                     "--width",
+                     std::to_string(picture.raster.width),
+                     "--height",
+                     std::to_string(picture.raster.height),
+                     "--threads",
+                     "1"};
     job.outputs = {name};
     JobResult result = bench.sandbox.run(job);
     if (const auto against = against_run(result.ended)) return against->message;
@@ -87,7 +94,8 @@ void gather(const HandInBench& bench, const WorkingCopy& copy, Gathering& gather
         if (!fs::is_regular_file(copy.submission / p.scene)) continue;  // the course's
         const fs::path beside = fs::path(p.scene).parent_path();
         try {
-            for (const InputFile& file : submitted_scene(bench, p.scene)) gathering.add((beside / file.name).string(), file.bytes);
+            for (const InputFile& file : submitted_scene(bench, p.scene))
+                gathering.add((beside / file.name).string(), file.bytes);
         } catch (const InputError&) {
             gathering.copy(copy.submission, p.scene);  // its includes are missing: the check has said so
         }
@@ -95,7 +103,8 @@ void gather(const HandInBench& bench, const WorkingCopy& copy, Gathering& gather
 }
 
 void check_target(const fs::path& out) {
-    if (fs::exists(out) && !fs::is_directory(out)) throw InputError(out.string() + ": is no folder, and does not end in .tar.gz");
+    if (fs::exists(out) && !fs::is_directory(out))
+        throw InputError(out.string() + ": is no folder, and does not end in .tar.gz");
     if (fs::is_directory(out) && !fs::is_empty(out) && !fs::exists(out / kSubmissionFile))
         throw InputError(out.string() + ": holds something else than an earlier hand-in; name a new folder");
 }
@@ -123,7 +132,8 @@ HandInResult hand_in(const Project& project, const WorkingCopy& copy, const fs::
     Limits limits;
     if (project.sanitized()) limits.memory_mb = 0;
     const int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const HandInBench bench{project, *sandbox, project.program("render-solution"), copy.program, copy.submission, {}, limits, workers};
+    const HandInBench bench{project, *sandbox, project.program("render-solution"), copy.program, copy.submission, {},
+                            limits,  workers};
     for (const SubmittedPicture& picture : read_submission(copy.submission).pictures)
         if (const std::string why = render(bench, picture); !why.empty())
             result.failed.push_back(fmt::format("{} was not rendered: {}", picture.file, why));
@@ -143,7 +153,8 @@ bool is_complete(const HandInResult& result) {
 
 std::string hand_in_text(const HandInResult& result, const fs::path& out) {
     std::string text;
-    for (const std::string& name : result.made) text += fmt::format("submission/{} was missing: a template has been written, please edit it\n", name);
+    for (const std::string& name : result.made)
+        text += fmt::format("submission/{} was missing: a template has been written, please edit it\n", name);
     for (const std::string& failure : result.failed) text += plain(failure, 400) + "\n";
     for (const Check& c : result.checked.checks) {
         text += fmt::format("{:<14} {}{}\n", to_string(c.verdict), plain(c.title, 60),
@@ -153,7 +164,8 @@ std::string hand_in_text(const HandInResult& result, const fs::path& out) {
     }
     text += fmt::format("Pictures and report: {:.4g} of {:.4g} points. {}\n", result.checked.points, result.checked.max,
                         is_complete(result) ? "Nothing is missing." : "What is not passed above is missing or wrong.");
-    return text + fmt::format("{} files are in {}; your steps are graded with ./rays grade --submission {}\n", result.packed.size(), out.string(), out.string());
+    return text + fmt::format("{} files are in {}; your steps are graded with ./rays grade --submission {}\n",
+                              result.packed.size(), out.string(), out.string());
 }
 
 }  // namespace rays::grader

@@ -19,9 +19,9 @@ struct WorkingCopy {
 WorkingCopy working_copy(const Project& project);
 
 struct HandInResult {
-    std::vector<std::string> made;  ///< templates that were written since there was nothing: to be edited
+    std::vector<std::string> made;    ///< templates that were written since there was nothing: to be edited
     std::vector<std::string> failed;  ///< pictures that could not be rendered, and why
-    HandedIn checked;               ///< as the grader will see it
+    HandedIn checked;                 ///< as the grader will see it
     std::vector<std::string> packed;
 };
 

@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kShownReport = 40'000;
 
 const RubricRow* find_row(const Rubric& rubric, const std::string& id) {
-    const auto found = std::find_if(rubric.rows.begin(), rubric.rows.end(), [&](const RubricRow& r) { return r.id == id; });
+    const auto found =
+        std::find_if(rubric.rows.begin(), rubric.rows.end(), [&](const RubricRow& r) { return r.id == id; });
     return found == rubric.rows.end() ? nullptr : &*found;
 }
 
@@ -87,7 +88,9 @@ Check format_check(const Submission& submission) {
     check.mode = "all mine";
     check.title = kSubmissionFile;
     check.reproduce = "./rays submission";
-    check.verdict = submission.problems.empty() ? Verdict::pass : submission.present ? Verdict::fail : Verdict::not_started;
+    check.verdict = submission.problems.empty() ? Verdict::pass
+                    : submission.present        ? Verdict::fail
+                                                : Verdict::not_started;
     check.message = fmt::format("{} pictures", submission.pictures.size());
     if (!submission.problems.empty()) check.message.clear();
     for (const std::string& p : submission.problems) check.message += (check.message.empty() ? "" : "; ") + p;

@@ -31,10 +31,14 @@ Check check_of(const std::string& id, const std::string& title, double max) {
 
 /// Points by the share of its questions that are right; without any there is nothing to earn.
 Check judged(Check check, const std::string& good, const std::string& nothing) {
-    const auto right = std::count_if(check.questions.begin(), check.questions.end(), [](const AskedQuestion& q) { return q.ok; });
+    const auto right =
+        std::count_if(check.questions.begin(), check.questions.end(), [](const AskedQuestion& q) { return q.ok; });
     const auto all = static_cast<std::ptrdiff_t>(check.questions.size());
     check.points = all ? check.max * double(right) / double(all) : 0;
-    check.verdict = all == 0 ? Verdict::not_started : right == all ? Verdict::pass : right ? Verdict::partial : Verdict::fail;
+    check.verdict = all == 0       ? Verdict::not_started
+                    : right == all ? Verdict::pass
+                    : right        ? Verdict::partial
+                                   : Verdict::fail;
     check.message = all == 0 ? nothing : fmt::format("{} of {} {}", right, all, good);
     for (const AskedQuestion& q : check.questions)
         if (!q.ok && check.message.size() < 300) check.message += fmt::format("; {}: {}", q.about, q.answer);
@@ -54,7 +58,8 @@ Check claims_check(const std::vector<Demonstration>& pictures, double max) {
         for (const Demonstration& d : pictures)
             for (const Proof& p : d.proofs)
                 if (by.empty() && p.feature == feature && p.shown) by = plain(d.picture.file);
-        check.questions.push_back({feature, "", "", "a picture that counts shows it", by.empty() ? "none does" : by, !by.empty()});
+        check.questions.push_back(
+            {feature, "", "", "a picture that counts shows it", by.empty() ? "none does" : by, !by.empty()});
     }
     return judged(check, "claimed features are demonstrated", "nothing is claimed in submission.json");
 }
@@ -62,7 +67,8 @@ Check claims_check(const std::vector<Demonstration>& pictures, double max) {
 /// Commands against the pictures that they name.
 class CommandChecker {
 public:
-    CommandChecker(const HandInBench& bench, const std::vector<Demonstration>& pictures) : bench_(bench), pictures_(pictures) {}
+    CommandChecker(const HandInBench& bench, const std::vector<Demonstration>& pictures)
+        : bench_(bench), pictures_(pictures) {}
 
     std::vector<AskedQuestion> judge(const std::vector<RenderCommand>& commands) {
         std::vector<AskedQuestion> questions;
@@ -75,7 +81,8 @@ public:
         }
         for (const Demonstration& d : pictures_)
             if (!named.count(d.picture.file))
-                questions.push_back({plain(d.picture.file), "", "", "a command in a code block of report.md", "there is none", false});
+                questions.push_back(
+                    {plain(d.picture.file), "", "", "a command in a code block of report.md", "there is none", false});
         return questions;
     }
 
@@ -89,7 +96,8 @@ private:
         const SubmittedPicture& p = found->picture;
         const Raster raster = command.raster;
         if (raster.width != p.raster.width || raster.height != p.raster.height)
-            return fmt::format("renders {} x {} pixels; the picture has {} x {}", raster.width, raster.height, p.raster.width, p.raster.height);
+            return fmt::format("renders {} x {} pixels; the picture has {} x {}", raster.width, raster.height,
+                               p.raster.width, p.raster.height);
         // The same command as the demonstration's has been tried already.
         if (command.scene == p.scene && command.options.empty())
             return found->reproduced ? "" : "does not reproduce it: " + found->check.message;
@@ -106,7 +114,9 @@ private:
             if (!file.taken) return plain(p.file) + " " + file.problem;
             const Likeness like = likeness(p.file, file.bytes, shot.picture);
             if (!like.problem.empty()) return plain(p.file) + " " + like.problem;
-            return like.same() ? "" : fmt::format("renders another picture: {} of {} pixels differ", like.differing, like.pixels);
+            return like.same()
+                       ? ""
+                       : fmt::format("renders another picture: {} of {} pixels differ", like.differing, like.pixels);
         } catch (const InputError& e) {
             return plain(e.what(), 300);
         }
@@ -116,7 +126,8 @@ private:
     const std::vector<Demonstration>& pictures_;
 };
 
-Check commands_check(const HandInBench& bench, const std::vector<Demonstration>& pictures, const ReportText& report, double max) {
+Check commands_check(const HandInBench& bench, const std::vector<Demonstration>& pictures, const ReportText& report,
+                     double max) {
     Check check = check_of("commands", "Every command reproduces its picture", max);
     check.questions = CommandChecker(bench, pictures).judge(report.commands);
     return judged(check, "commands and pictures go together", "there are neither pictures nor commands");
@@ -145,8 +156,12 @@ Check text_check(const std::vector<Demonstration>& pictures, const ReportText& r
         check.questions.push_back({about, "", "", expected, answer, ok});
     };
     const int count = std::max(0, count_words(words));
-    ask("length", fmt::format("at least {} words outside of code blocks", kLeastWords), fmt::format("{} words", count), count >= kLeastWords);
-    ask("template", "nothing left to be written", report.to_be_written.empty() ? "nothing" : fmt::format("line {} is the template's", report.to_be_written.front()), report.to_be_written.empty());
+    ask("length", fmt::format("at least {} words outside of code blocks", kLeastWords), fmt::format("{} words", count),
+        count >= kLeastWords);
+    ask("template", "nothing left to be written",
+        report.to_be_written.empty() ? "nothing"
+                                     : fmt::format("line {} is the template's", report.to_be_written.front()),
+        report.to_be_written.empty());
     const auto named = [&](const std::string& name) { return words.find(plain_words(name)) != std::string::npos; };
     for (const Demonstration& d : pictures) {
         const std::string name = std::filesystem::path(d.picture.file).filename().string();
@@ -168,7 +183,8 @@ std::vector<Check> report_checks(const HandInBench& bench, const std::vector<Dem
         return {check};
     }
     const ReportText report = read_report(file.bytes);
-    return {claims_check(pictures, max * ReportShares::claims), commands_check(bench, pictures, report, max * ReportShares::commands),
+    return {claims_check(pictures, max * ReportShares::claims),
+            commands_check(bench, pictures, report, max * ReportShares::commands),
             text_check(pictures, report, max * ReportShares::text)};
 }
 

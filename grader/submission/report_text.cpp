@@ -26,7 +26,8 @@ bool is_command(const std::string& line) {
 }
 
 bool for_a_shell(char c) {
-    return static_cast<unsigned char>(c) < 0x20 || std::string_view("$`\"'\\;&|<>(){}[]*?!#~^%").find(c) != std::string_view::npos;
+    return static_cast<unsigned char>(c) < 0x20 ||
+           std::string_view("$`\"'\\;&|<>(){}[]*?!#~^%").find(c) != std::string_view::npos;
 }
 
 /// The words of a command; --option=value are two.

@@ -10,8 +10,8 @@ namespace rays::grader {
 
 /// A line of a code block that begins with `./rays render` or `rays render`.
 struct RenderCommand {
-    int line = 0;      ///< in report.md, from 1
-    std::string text;  ///< as it stands there
+    int line = 0;         ///< in report.md, from 1
+    std::string text;     ///< as it stands there
     std::string problem;  ///< why it is refused; then the rest is worthless
     std::string scene, output;
     Raster raster;
@@ -20,7 +20,7 @@ struct RenderCommand {
 
 struct ReportText {
     std::vector<RenderCommand> commands;
-    std::string prose;             ///< without code blocks
+    std::string prose;               ///< without code blocks
     std::vector<int> to_be_written;  ///< lines that still hold the template's "(to be written"
 };
 

@@ -92,8 +92,7 @@ OutputFile read_inside(const fs::path& folder, const std::string& relative, std:
         at.reset(::openat(at.get(), part.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     }
     if (at.get() < 0) return problem(open_problem(errno));
-    const Descriptor file(
-        ::openat(at.get(), path.filename().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    const Descriptor file(::openat(at.get(), path.filename().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     return file.get() < 0 ? problem(open_problem(errno)) : read_all(file.get(), limit);
 }
 

@@ -21,15 +21,17 @@ std::string submission_template() {
 
 std::string report_template(const std::vector<SubmittedPicture>& pictures) {
     std::string text =
-        "# Report\n\n## What I implemented\n\n(to be written: which shapes, which light, how deep the recursion goes, what was "
+        "# Report\n\n## What I implemented\n\n(to be written: which shapes, which light, how deep the recursion goes, "
+        "what was "
         "hard, and what does not work yet)\n\n## Pictures\n";
     for (const SubmittedPicture& p : pictures) {
         std::string features;
         for (const std::string& f : p.shows) features += (features.empty() ? "" : ", ") + f;
         const std::string name = std::filesystem::path(p.file).filename().string();
         const bool course = p.scene.starts_with("scenes/");
-        text += fmt::format("\n### {}\n\nShows {}. (to be written: where to look, and how you know that it is right)\n\n", name,
-                            features.empty() ? "nothing yet" : features);
+        text +=
+            fmt::format("\n### {}\n\nShows {}. (to be written: where to look, and how you know that it is right)\n\n",
+                        name, features.empty() ? "nothing yet" : features);
         text += fmt::format("```\n./rays render {}{} -o submission/{} --from student --width {} --height {}\n```\n",
                             course ? "" : "submission/", p.scene, p.file, p.raster.width, p.raster.height);
     }

@@ -65,8 +65,10 @@ std::map<std::string, std::string> changed_files(const Project& project, const f
             text_of(file) = without_task(text_of(file), which);
             continue;
         }
-        const auto mutant = std::find_if(mutants.begin(), mutants.end(), [&](const Mutant& m) { return m.id == which; });
-        if (what != "mistake" || mutant == mutants.end()) throw std::runtime_error(what + " " + which + ": what is that?");
+        const auto mutant =
+            std::find_if(mutants.begin(), mutants.end(), [&](const Mutant& m) { return m.id == which; });
+        if (what != "mistake" || mutant == mutants.end())
+            throw std::runtime_error(what + " " + which + ": what is that?");
         text_of(mutant->file) = apply(*mutant, text_of(mutant->file));
     }
     return files;
@@ -78,11 +80,13 @@ void write_example(const Project& project, const std::string& name, const fs::pa
         fs::create_directories(folder / step.id);
         fs::copy_file(step.folder / "step.json", folder / step.id / "step.json");
         for (const auto& entry : fs::directory_iterator(project.root / "solutions" / step.id))
-            if (entry.path().extension() == ".cpp") fs::copy_file(entry.path(), folder / step.id / entry.path().filename());
+            if (entry.path().extension() == ".cpp")
+                fs::copy_file(entry.path(), folder / step.id / entry.path().filename());
     }
     for (const auto& [file, text] : changed_files(project, example)) write_atomically(folder / file, text);
     for (const auto& entry : fs::directory_iterator(example))
-        if (entry.path().filename() != "steps.txt") write_atomically(folder / "submission" / entry.path().filename(), read_file(entry.path()));
+        if (entry.path().filename() != "steps.txt")
+            write_atomically(folder / "submission" / entry.path().filename(), read_file(entry.path()));
 }
 
 fs::path example_program(const Project& project, const std::string& name, const fs::path& folder) {

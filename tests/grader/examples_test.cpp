@@ -10,8 +10,8 @@
 #include "grader/grade_step.h"
 #include "grader/submission/hand_in.h"
 #include "grader/summary.h"
-#include "support/files.h"
 #include "schema_check.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {
@@ -38,7 +38,8 @@ protected:
         const Results results = grade(project, options);
         EXPECT_EQ(results.infrastructure_error, "");
         const auto schema = nlohmann::json::parse(read_file(project.root / "grader" / "results.schema.json"));
-        EXPECT_EQ(schema_problems(nlohmann::json::parse(read_file(options.out / "results.json")), schema), std::vector<std::string>{});
+        EXPECT_EQ(schema_problems(nlohmann::json::parse(read_file(options.out / "results.json")), schema),
+                  std::vector<std::string>{});
         return results;
     }
 
@@ -46,7 +47,8 @@ protected:
 };
 
 const RubricResult& row(const Results& results, const std::string& id) {
-    const auto found = std::find_if(results.rubric.begin(), results.rubric.end(), [&](const RubricResult& r) { return r.id == id; });
+    const auto found =
+        std::find_if(results.rubric.begin(), results.rubric.end(), [&](const RubricResult& r) { return r.id == id; });
     if (found == results.rubric.end()) throw std::runtime_error("no row " + id);
     return *found;
 }
@@ -64,7 +66,8 @@ std::vector<std::string> named_mistakes(const Results& results) {
     for (const StepResult& step : results.steps)
         for (const Check& check : step.checks)
             for (const Diagnosis& d : check.diagnosis)
-                if (d.kind == "mutant" && std::find(names.begin(), names.end(), d.mutant) == names.end()) names.push_back(d.mutant);
+                if (d.kind == "mutant" && std::find(names.begin(), names.end(), d.mutant) == names.end())
+                    names.push_back(d.mutant);
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -76,9 +79,11 @@ std::vector<std::string> fingerprinted(const Project& project, const std::map<in
     const auto steps = read_steps(project.steps());
     std::vector<std::string> names;
     for (const auto& [number, id] : mistakes) {
-        const auto step = std::find_if(steps.begin(), steps.end(), [n = number](const Step& s) { return s.number == n; });
-        const bool current = all.steps.count(number) &&
-                             all.steps.at(number).questions == questions_hash(diagnostic_questions(number, task_ids(*step)));
+        const auto step =
+            std::find_if(steps.begin(), steps.end(), [n = number](const Step& s) { return s.number == n; });
+        const bool current =
+            all.steps.count(number) &&
+            all.steps.at(number).questions == questions_hash(diagnostic_questions(number, task_ids(*step)));
         EXPECT_TRUE(current || number > 2) << "the fingerprints of step " << number << " are old";
         if (current) names.push_back(id);
     }
@@ -97,7 +102,8 @@ TEST_F(ExamplesTest, ThePerfectOneGetsAllPoints) {
     const HandInResult packed = pack("perfect");
     EXPECT_TRUE(is_complete(packed)) << hand_in_text(packed, archive());
     const Results r = grade_archive();
-    for (const char* id : {"spheres", "polygons", "phong", "pictures", "reflection"}) EXPECT_NEAR(row(r, id).points, 20, 1e-9) << id;
+    for (const char* id : {"spheres", "polygons", "phong", "pictures", "reflection"})
+        EXPECT_NEAR(row(r, id).points, 20, 1e-9) << id;
     EXPECT_NEAR(row(r, "report").points, 10, 1e-9) << summary(r, "out");
     EXPECT_NEAR(r.points, 110, 1e-9);
     EXPECT_NEAR(r.max, 110, 1e-9);
@@ -124,7 +130,8 @@ TEST_F(ExamplesTest, TheHalfFinishedOneGetsWhatItShows) {
     EXPECT_EQ(check_named(checks, "handed_in.3.polygons").verdict, Verdict::not_started);
     EXPECT_TRUE(says(check_named(checks, "handed_in.3.polygons"), "waits for task 1.6"));
     EXPECT_EQ(check_named(checks, "pictures.recursive_reflection").verdict, Verdict::fail);
-    EXPECT_TRUE(says(check_named(checks, "pictures.recursive_reflection"), "does not show it: 0 %, need at least 0.2 %"))
+    EXPECT_TRUE(
+        says(check_named(checks, "pictures.recursive_reflection"), "does not show it: 0 %, need at least 0.2 %"))
         << "one reflection deep is not three: " << check_named(checks, "pictures.recursive_reflection").message;
 }
 

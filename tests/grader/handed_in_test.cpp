@@ -27,7 +27,9 @@ protected:
     Project project = find_project();
     TemporaryFolder folder;
     std::unique_ptr<Sandbox> sandbox = make_sandbox();
-    HandInBench bench{project, *sandbox, project.program("render-solution"), project.program("render-solution"), folder.path(), {}, {}, 1};
+    HandInBench bench{
+        project, *sandbox, project.program("render-solution"), project.program("render-solution"), folder.path(), {},
+        {},      1};
 
     void put(const std::string& name, const std::string& text) const { write_atomically(folder.path() / name, text); }
 
@@ -42,12 +44,14 @@ protected:
         Job job;
         job.program = bench.student;
         job.files = submitted_scene(bench, scene);
-        job.arguments = {job.files.front().name, "-o", name, "--width", std::to_string(raster.width), "--height", std::to_string(raster.height)};
+        job.arguments = {job.files.front().name,       "-o", name, "--width", std::to_string(raster.width), "--height",
+                         std::to_string(raster.height)};
         job.outputs = {name};
         return sandbox->run(job).files[name].bytes;
     }
 
-    Demonstration demonstrated(std::vector<std::string> shows, const std::string& scene = "ball.pov", const std::string& file = "a.png") const {
+    Demonstration demonstrated(std::vector<std::string> shows, const std::string& scene = "ball.pov",
+                               const std::string& file = "a.png") const {
         return demonstrate(bench, {file, scene, {80, 60}, std::move(shows)}, 1);
     }
 };
@@ -138,7 +142,8 @@ TEST_F(HandedInTest, AForgedHeaderIsNoPicture) {
     ASSERT_NE(window, std::string::npos);
     bytes.replace(window + 30, 4, "\x7f\x7f\x7f\x7f");  // two thousand million columns
     put("absurd.exr", bytes);
-    for (const char* file : {"cut.exr", "absurd.exr"}) EXPECT_EQ(demonstrated({"spheres"}, "ball.pov", file).check.verdict, Verdict::fail) << file;
+    for (const char* file : {"cut.exr", "absurd.exr"})
+        EXPECT_EQ(demonstrated({"spheres"}, "ball.pov", file).check.verdict, Verdict::fail) << file;
 }
 
 TEST_F(HandedInTest, ABuildErrorIsNotTheSolutionsMerit) {
@@ -159,9 +164,12 @@ TEST_F(HandedInTest, AReportIsHeldToItsWords) {
     put_ball(0.9);
     put("a.png", picture("ball.pov", "a.png"));
     const std::vector<Demonstration> pictures{demonstrated({"spheres", "phong", "polygons"})};
-    put("report.md", "The ball a.png shows spheres.\n```\n./rays render submission/ball.pov -o submission/a.png --width 80 --height 60\n"
-                     "./rays render submission/ball.pov -o submission/a.png --width 80 --height 60 --without phong\n"
-                     "./rays render submission/ball.pov -o b.png --width 80 --height 60\n./rays render ball.pov; id -o a.png\n```\n");
+    put("report.md",
+        "The ball a.png shows spheres.\n```\n./rays render submission/ball.pov -o submission/a.png --width 80 --height "
+        "60\n"
+        "./rays render submission/ball.pov -o submission/a.png --width 80 --height 60 --without phong\n"
+        "./rays render submission/ball.pov -o b.png --width 80 --height 60\n./rays render ball.pov; id -o "
+        "a.png\n```\n");
     const std::vector<Check> checks = report_checks(bench, pictures, 10);
     ASSERT_EQ(checks.size(), 3u);
     EXPECT_NEAR(checks[0].points, 4 * 2.0 / 3, 1e-9) << "no polygon in sight";
@@ -177,10 +185,12 @@ TEST_F(HandedInTest, AReportIsHeldToItsWords) {
 }
 
 TEST_F(HandedInTest, TheTemplateIsACompleteStartButForItsWords) {
-    write_atomically(folder.path() / "steps" / "1_ray_casting" / "step.json", read_file(project.steps() / "1_ray_casting" / "step.json"));
+    write_atomically(folder.path() / "steps" / "1_ray_casting" / "step.json",
+                     read_file(project.steps() / "1_ray_casting" / "step.json"));
     put("steps/1_ray_casting/camera.cpp", "// mine\n");
     const fs::path out = folder.path() / "out";
-    const HandInResult r = hand_in(project, {folder.path() / "steps", folder.path() / "submission", bench.student}, out);
+    const HandInResult r =
+        hand_in(project, {folder.path() / "steps", folder.path() / "submission", bench.student}, out);
     EXPECT_EQ(r.made.size(), 2u);
     EXPECT_FALSE(is_complete(r)) << "the words are still to be written";
     for (const Check& c : r.checked.checks) {
@@ -188,8 +198,11 @@ TEST_F(HandedInTest, TheTemplateIsACompleteStartButForItsWords) {
         EXPECT_EQ(c.verdict, Verdict::pass) << c.id << ": " << c.message;
     }
     EXPECT_EQ(read_file(out / "1_ray_casting" / "camera.cpp"), "// mine\n");
-    for (const char* file : {"submission.json", "report.md", "pictures/still_life.png"}) EXPECT_TRUE(fs::exists(out / file)) << file;
-    EXPECT_THROW(hand_in(project, {folder.path() / "steps", folder.path() / "submission", bench.student}, folder.path()), InputError)
+    for (const char* file : {"submission.json", "report.md", "pictures/still_life.png"})
+        EXPECT_TRUE(fs::exists(out / file)) << file;
+    EXPECT_THROW(
+        hand_in(project, {folder.path() / "steps", folder.path() / "submission", bench.student}, folder.path()),
+        InputError)
         << "a folder with other things in it is not written to";
 }
 

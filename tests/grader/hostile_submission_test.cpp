@@ -24,11 +24,14 @@ namespace fs = std::filesystem;
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// ---- names ------------------------------------------------------------------------------------------------------------
+// ---- names
+// ------------------------------------------------------------------------------------------------------------
 
 TEST(SafePathTest, PlainNamesOnly) {
-    for (const char* good : {"a.png", "pictures/a.png", "1_ray_casting/x.cpp", "with space.png"}) EXPECT_EQ(path_problem(good), "") << good;
-    for (const std::string bad : {"", "/etc/passwd", "../a", "a/../../b", ".git/config", "a/.hidden", "a\\b", "a//b", "a/", "a\x1b[2J", "./a"})
+    for (const char* good : {"a.png", "pictures/a.png", "1_ray_casting/x.cpp", "with space.png"})
+        EXPECT_EQ(path_problem(good), "") << good;
+    for (const std::string bad :
+         {"", "/etc/passwd", "../a", "a/../../b", ".git/config", "a/.hidden", "a\\b", "a//b", "a/", "a\x1b[2J", "./a"})
         EXPECT_NE(path_problem(bad), "") << bad;
     EXPECT_NE(path_problem(std::string(5000, 'a')), "");
 }
@@ -52,13 +55,14 @@ TEST(SafePathTest, ReadsNoLinksAndNoPipes) {
     EXPECT_TRUE(has(read_inside(inside, "sub/a.txt", 3).problem, "more than the 3 allowed"));
 }
 
-// ---- submission.json --------------------------------------------------------------------------------------------------
+// ---- submission.json
+// --------------------------------------------------------------------------------------------------
 
 std::string with_picture(const std::string& picture) { return R"({"version":1,"pictures":[)" + picture + "]}"; }
 
 TEST(SubmissionFormatTest, AGoodOneIsRead) {
-    const Submission s = parse_submission(
-        with_picture(R"({"file":"submission/a.png","scene":"./scenes/1/x.pov","width":160,"height":120,"shows":["spheres","spheres"]})"));
+    const Submission s = parse_submission(with_picture(
+        R"({"file":"submission/a.png","scene":"./scenes/1/x.pov","width":160,"height":120,"shows":["spheres","spheres"]})"));
     EXPECT_TRUE(s.problems.empty());
     ASSERT_EQ(s.pictures.size(), 1u);
     EXPECT_EQ(s.pictures[0].file, "a.png");
@@ -75,15 +79,23 @@ TEST(SubmissionFormatTest, WhatIsWrongIsSaid) {
         {R"({"version":1})", "a list \"pictures\""},
         {R"({"version":1,"pictures":[7]})", "is no object"},
         {R"({"version":1,"pictures":[{"file":"a.png"}]})", "has no \"scene\""},
-        {R"({"version":1,"pictures":[{"file":"../../a.png","scene":"b.pov","width":1,"height":1,"shows":[]}]})", "leads outside"},
-        {R"({"version":1,"pictures":[{"file":"a.png","scene":"/etc/passwd","width":1,"height":1,"shows":[]}]})", "is absolute"},
-        {R"({"version":1,"pictures":[{"file":"a.sh","scene":"b.pov","width":1,"height":1,"shows":[]}]})", "does not end in .png or .exr"},
-        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":1e300,"height":1,"shows":[]}]})", "\"width\" is no whole number"},
-        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":-3,"height":1,"shows":[]}]})", "\"width\" is no whole number"},
-        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":2048,"height":2048,"shows":[]}]})", "has more than 1048576 pixels"},
-        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":1,"height":1,"shows":"all"}]})", "\"shows\" is no list"},
+        {R"({"version":1,"pictures":[{"file":"../../a.png","scene":"b.pov","width":1,"height":1,"shows":[]}]})",
+         "leads outside"},
+        {R"({"version":1,"pictures":[{"file":"a.png","scene":"/etc/passwd","width":1,"height":1,"shows":[]}]})",
+         "is absolute"},
+        {R"({"version":1,"pictures":[{"file":"a.sh","scene":"b.pov","width":1,"height":1,"shows":[]}]})",
+         "does not end in .png or .exr"},
+        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":1e300,"height":1,"shows":[]}]})",
+         "\"width\" is no whole number"},
+        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":-3,"height":1,"shows":[]}]})",
+         "\"width\" is no whole number"},
+        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":2048,"height":2048,"shows":[]}]})",
+         "has more than 1048576 pixels"},
+        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":1,"height":1,"shows":"all"}]})",
+         "\"shows\" is no list"},
         {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":1,"height":1,"shows":[1]}]})", "no text"},
-        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":1,"height":1,"shows":[],"run":"x"}]})", "unknown field \"run\""},
+        {R"({"version":1,"pictures":[{"file":"a.png","scene":"b.pov","width":1,"height":1,"shows":[],"run":"x"}]})",
+         "unknown field \"run\""},
     };
     for (const auto& [text, expected] : cases) {
         const Submission s = parse_submission(text);
@@ -97,16 +109,18 @@ TEST(SubmissionFormatTest, DeepOrLongOnesAreRefused) {
     EXPECT_FALSE(parse_submission(std::string(100000, '[')).problems.empty());
     std::string many;
     for (int i = 0; i < 100; ++i)
-        many += std::string(i ? "," : "") + R"({"file":"a)" + std::to_string(i) + R"(.png","scene":"b.pov","width":1,"height":1,"shows":[]})";
+        many += std::string(i ? "," : "") + R"({"file":"a)" + std::to_string(i) +
+                R"(.png","scene":"b.pov","width":1,"height":1,"shows":[]})";
     EXPECT_EQ(parse_submission(with_picture(many)).pictures.size(), kMostPictures);
 }
 
-// ---- archives ---------------------------------------------------------------------------------------------------------
+// ---- archives
+// ---------------------------------------------------------------------------------------------------------
 
 struct Member {
-    std::string name, bytes;
+    std::string name, bytes{};
     unsigned type = AE_IFREG;
-    std::string link;
+    std::string link{};
 };
 
 fs::path archive_of(const TemporaryFolder& folder, const std::vector<Member>& members, bool zip = false) {
@@ -149,7 +163,12 @@ std::string refusal(const std::vector<Member>& members, const ArchiveLimits& lim
 TEST(ArchiveTest, GoodOnesAreUnpackedAsTarAndAsZip) {
     for (const bool zip : {false, true}) {
         const TemporaryFolder from, into;
-        const fs::path file = archive_of(from, {{"./me/1_ray_casting/a.cpp", "code"}, {"me/submission.json", "{}"}, {"me/.git/x", "no"}, {"__MACOSX/y", "no"}}, zip);
+        const fs::path file = archive_of(from,
+                                         {{"./me/1_ray_casting/a.cpp", "code"},
+                                          {"me/submission.json", "{}"},
+                                          {"me/.git/x", "no"},
+                                          {"__MACOSX/y", "no"}},
+                                         zip);
         const fs::path folder = unpack(file, into.path());
         EXPECT_EQ(read_file(folder / "1_ray_casting" / "a.cpp"), "code");
         EXPECT_EQ(read_file(folder / "submission.json"), "{}");
@@ -184,10 +203,12 @@ TEST(ArchiveTest, PackedTwiceIsTheSameAndComesBack) {
     pack(folder.path(), {"a/b.txt"}, folder.path() / "1.tar.gz");
     pack(folder.path(), {"a/b.txt"}, folder.path() / "2.tar.gz");
     EXPECT_EQ(read_file(folder.path() / "1.tar.gz"), read_file(folder.path() / "2.tar.gz"));
-    EXPECT_EQ(read_file(unpack(folder.path() / "1.tar.gz", into.path()) / "b.txt"), "text") << "the only folder is the submission";
+    EXPECT_EQ(read_file(unpack(folder.path() / "1.tar.gz", into.path()) / "b.txt"), "text")
+        << "the only folder is the submission";
 }
 
-// ---- pictures ---------------------------------------------------------------------------------------------------------
+// ---- pictures
+// ---------------------------------------------------------------------------------------------------------
 
 std::string big_endian(std::uint32_t v) {
     return {static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8), static_cast<char>(v)};
@@ -202,27 +223,32 @@ std::string chunk(const std::string& type, const std::string& data) {
 std::string deflated(const std::string& bytes) {
     uLongf size = ::compressBound(bytes.size());
     std::string packed(size, '\0');
-    ::compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+    ::compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+               bytes.size());
     packed.resize(size);
     return packed;
 }
 
 std::string png(std::uint32_t width, std::uint32_t height, const std::string& rows, char bits = 8, char color = 2) {
     const std::string header = big_endian(width) + big_endian(height) + bits + color + std::string(3, '\0');
-    return std::string("\x89PNG\r\n\x1a\n", 8) + chunk("IHDR", header) + chunk("IDAT", deflated(rows)) + chunk("IEND", "");
+    return std::string("\x89PNG\r\n\x1a\n", 8) + chunk("IHDR", header) + chunk("IDAT", deflated(rows)) +
+           chunk("IEND", "");
 }
 
 TEST(PngTest, EveryFilterIsUndone) {
     // Two pixels a row; rows: as they are, from the left, from above, from the mean of both, by Paeth.
-    const std::string rows{"\0\x0a\x14\x1e\x28\x32\x3c"
-                           "\1\x0a\x14\x1e\x01\x01\x01"
-                           "\2\x01\x01\x01\x01\x01\x01"
-                           "\3\x01\x01\x01\x01\x01\x01"
-                           "\4\x01\x01\x01\x01\x01\x01", 35};
+    const std::string rows{
+        "\0\x0a\x14\x1e\x28\x32\x3c"
+        "\1\x0a\x14\x1e\x01\x01\x01"
+        "\2\x01\x01\x01\x01\x01\x01"
+        "\3\x01\x01\x01\x01\x01\x01"
+        "\4\x01\x01\x01\x01\x01\x01",
+        35};
     const PngPicture p = decode_png(png(2, 5, rows), {2, 5});
     ASSERT_EQ(p.problem, "");
-    const std::array<std::uint8_t, 3> expected[] = {{10, 20, 30}, {40, 50, 60}, {10, 20, 30}, {11, 21, 31}, {11, 21, 31},
-                                                    {12, 22, 32}, {6, 11, 16},  {10, 17, 25}, {7, 12, 17},  {11, 18, 26}};
+    const std::array<std::uint8_t, 3> expected[] = {{10, 20, 30}, {40, 50, 60}, {10, 20, 30}, {11, 21, 31},
+                                                    {11, 21, 31}, {12, 22, 32}, {6, 11, 16},  {10, 17, 25},
+                                                    {7, 12, 17},  {11, 18, 26}};
     for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(p.pixels[i], expected[i]) << i;
 }
 
@@ -234,9 +260,11 @@ TEST(PngTest, WhatIsWrongIsSaid) {
     EXPECT_TRUE(has(decode_png(png(1, 1, row, 8, 3), {1, 1}).problem, "another kind"));
     EXPECT_TRUE(has(decode_png(png(1, 1, std::string("\7\1\2\3", 4)), {1, 1}).problem, "cannot be read"));
     EXPECT_TRUE(has(decode_png(png(1, 1, "\1"), {1, 1}).problem, "cannot be read"));
-    EXPECT_TRUE(has(decode_png(png(1, 1, std::string(10'000'000, '\0')), {1, 1}).problem, "cannot be read")) << "more pixels than promised";
+    EXPECT_TRUE(has(decode_png(png(1, 1, std::string(10'000'000, '\0')), {1, 1}).problem, "cannot be read"))
+        << "more pixels than promised";
     const std::string good = png(1, 1, row);
-    for (std::size_t cut = 0; cut < good.size(); ++cut) EXPECT_NE(decode_png(good.substr(0, cut), {1, 1}).problem, "") << cut;
+    for (std::size_t cut = 0; cut < good.size(); ++cut)
+        EXPECT_NE(decode_png(good.substr(0, cut), {1, 1}).problem, "") << cut;
     for (std::size_t at = 8; at < good.size(); ++at) {
         std::string flipped = good;
         flipped[at] = static_cast<char>(flipped[at] ^ 0x40);
@@ -281,11 +309,14 @@ TEST(LooksTest, VisibleIsEightLevelsAndMore) {
     EXPECT_DOUBLE_EQ(visible_share(a, b), 0.1);
 }
 
-// ---- report.md --------------------------------------------------------------------------------------------------------
+// ---- report.md
+// --------------------------------------------------------------------------------------------------------
 
 TEST(ReportTextTest, CommandsAreReadFromCodeBlocksOnly) {
-    const ReportText r = read_report("# Title\n./rays render a.pov -o not.png\n```sh\n$ ./rays render scenes/1/x.pov -o submission/a.png --from student "
-                                     "--width=160 --height 120\nls -l\nrays render my.pov --output b.exr --without phong\n```\nMore words.\n");
+    const ReportText r = read_report(
+        "# Title\n./rays render a.pov -o not.png\n```sh\n$ ./rays render scenes/1/x.pov -o submission/a.png --from "
+        "student "
+        "--width=160 --height 120\nls -l\nrays render my.pov --output b.exr --without phong\n```\nMore words.\n");
     ASSERT_EQ(r.commands.size(), 2u);
     EXPECT_EQ(r.commands[0].problem, "");
     EXPECT_EQ(r.commands[0].line, 4);
@@ -298,12 +329,15 @@ TEST(ReportTextTest, CommandsAreReadFromCodeBlocksOnly) {
 }
 
 TEST(ReportTextTest, WhatAShellWouldRunIsRefused) {
-    for (const char* bad : {"./rays render a.pov -o b.png; rm -rf x", "./rays render a.pov -o $(id).png", "./rays render a.pov -o b.png | sh",
-                            "./rays render `id` -o b.png", "./rays render a.pov -o ../b.png", "./rays render /etc/passwd -o b.png",
-                            "./rays render a.pov -o b.png --stats x", "./rays render a.pov -o b.png --answer", "./rays render a.pov -o b.png --from solution",
-                            "./rays render a.pov -o b.png --width 99999999999", "./rays render a.pov -o b.png --width -1", "./rays render a.pov b.pov -o b.png",
-                            "./rays render a.pov", "./rays render -o b.png", "./rays render a.pov -o", "./rays render a.pov -o b.png --samples 4096",
-                            "./rays render a.pov -o b.png --width 2048 --height 2048"})
+    for (const char* bad :
+         {"./rays render a.pov -o b.png; rm -rf x", "./rays render a.pov -o $(id).png",
+          "./rays render a.pov -o b.png | sh", "./rays render `id` -o b.png", "./rays render a.pov -o ../b.png",
+          "./rays render /etc/passwd -o b.png", "./rays render a.pov -o b.png --stats x",
+          "./rays render a.pov -o b.png --answer", "./rays render a.pov -o b.png --from solution",
+          "./rays render a.pov -o b.png --width 99999999999", "./rays render a.pov -o b.png --width -1",
+          "./rays render a.pov b.pov -o b.png", "./rays render a.pov", "./rays render -o b.png",
+          "./rays render a.pov -o", "./rays render a.pov -o b.png --samples 4096",
+          "./rays render a.pov -o b.png --width 2048 --height 2048"})
         EXPECT_NE(parse_command(bad).problem, "") << bad;
 }
 
