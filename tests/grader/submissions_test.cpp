@@ -205,8 +205,10 @@ void expect_caught(const StepResult& step, const std::vector<std::string>& caugh
     std::vector<std::string> failed;
     for (const Check& c : step.checks) {
         if (c.kind == "unit" && c.verdict != Verdict::pass) failed.push_back(c.id);
-        for (const Diagnosis& d : c.diagnosis)
-            if (d.kind == "mutant") EXPECT_EQ(d.mutant, made) << c.id << ": " << d.text;
+        for (const Diagnosis& d : c.diagnosis) {
+            if (d.kind != "mutant") continue;
+            EXPECT_EQ(d.mutant, made) << c.id << ": " << d.text;
+        }
     }
     EXPECT_EQ(failed, caught);
 }
