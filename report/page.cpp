@@ -20,7 +20,8 @@ const char* const kStyles[] = {"base.css", "layout.css", "checks.css", "pictures
 // In this order: each builds on those before it.
 const char* const kScripts[] = {"dom.js",      "words.js",  "data.js",  "colors.js", "pixels.js",
                                 "picture.js",  "viewer.js", "axes.js",  "chart.js",  "marks.js",
-                                "scatter.js",  "ratios.js", "speed.js", "trees.js",  "check.js",
+                                "scatter.js",  "ratios.js", "speed.js", "tree_picture.js", "trees.js",
+                                "check.js",
                                 "overview.js", "steps.js",  "theme.js", "main.js"};
 
 std::string read_text(const fs::path& file, const std::string& what_next) {

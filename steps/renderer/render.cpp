@@ -88,11 +88,13 @@ void prepare(Scene& scene) {
 }
 
 std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition partition) {
-    if (partition == Partition::automatic) partition = choose_partition(scene);
+    const bool chosen = partition == Partition::automatic;
+    if (chosen) partition = choose_partition(scene);
     std::unique_ptr<Intersector> structure;
     if (partition != Partition::none) structure = make_structure(scene, partition);
-    take_unfinished_task();
-    if (!structure) structure = std::make_unique<BruteForce>(scene);
+    // Asking everybody stands in for what is not written. Who asked for that very structure is told so in every pixel.
+    const char* waits_for = take_unfinished_task();
+    if (!structure) structure = std::make_unique<BruteForce>(scene, chosen ? nullptr : waits_for);
     return structure;
 }
 
