@@ -202,7 +202,8 @@ TaskResult task_result(const StepOrder& order, const Task& task, const std::vect
 std::string picture_command(const Check& c, int step) {
     const ImageResult& image = *c.image;
     const std::string view = fmt::format("--width {} --height {} --from {}", image.width, image.height,
-                                         c.mode == "isolated" ? fmt::format("student-{}", step) : "student");
+                                         c.mode == "isolated" ? fmt::format("student-{}", step) : "student") +
+                             (image.partition.empty() ? "" : " --partition " + image.partition);
     std::string text = fmt::format("./rays render scenes/{} -o picture.png {}", image.scene, view);
     if (image.beyond_rounding > 0)
         text +=

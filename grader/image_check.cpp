@@ -54,6 +54,11 @@ std::string unfinished_text(const std::vector<UnfinishedPlace>& places) {
     return text + (places.size() > 4 ? ", ..." : "");
 }
 
+std::vector<std::string> options_of(const std::string& partition) {
+    if (partition.empty()) return {};
+    return {"--partition", partition};
+}
+
 /// One picture held against the truth, with everything that explains it.
 struct Viewing {
     const Bench& bench;
@@ -70,7 +75,7 @@ void explain(const Viewing& v, const RgbImage& picture, Check& check) {
     ImageResult& image = *check.image;
     const auto tree = [&](const fs::path& program, bool json) {
         return ray_tree(v.bench.sandbox, program, v.files, v.truth.raster(), image.worst_x, image.worst_y, json,
-                        v.bench.limits);
+                        v.bench.limits, options_of(image.partition));
     };
     RayTrees trees{plain_lines(tree(v.program, false), kShownTree),
                    plain_lines(tree(v.bench.solution, false), kShownTree),
@@ -131,13 +136,6 @@ Target target_of(const Bench& bench, const SceneTask& scene) {
     return target;
 }
 
-// In steps 1 and 2 everybody is asked, by the student's own nearest_hit and any_occluder: these are tasks there, which a
-// structure would pass by.
-std::vector<std::string> options_of(int step, const std::string& partition) {
-    if (!partition.empty()) return {"--partition", partition};
-    return step < 3 ? std::vector<std::string>{"--partition", "none"} : std::vector<std::string>{};
-}
-
 Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& program, const std::string& mode) {
     Check check;
     const bool isolated = mode == "isolated";
@@ -148,10 +146,11 @@ Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& 
     check.title = scene.shows.empty() ? stem(scene.scene) : scene.shows;
     check.max = isolated ? scene.points : 0;
     check.image.emplace().scene = scene.scene;
+    check.image->partition = scene.partition;
     try {
         const Target target = target_of(bench, scene);
         const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits,
-                                options_of(bench.step.number, scene.partition));
+                                options_of(scene.partition));
         check.image->student = kept(bench, check.id, shot.exr);
         if (!bench.out.empty()) check.image->reference = fs::relative(target.reference, bench.out).string();
         check.image->width = target.truth.raster().width;
@@ -205,13 +204,14 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
         const FreshTruth truth = fresh_truth(bench, files);
         Check one = check;
         one.image.emplace().scene = fmt::format("fresh scene {} of task {}", i + 1, task.id);
+        one.image->partition = bench.step.partition;
         if (truth.against) {
             check.verdict = Verdict::infrastructure_error;
             check.message = "the solution cannot render a fresh scene: " + truth.against->message;
             return check;
         }
         const Shot shot = shoot(bench.sandbox, bench.student, files, {kFreshWidth, kFreshHeight}, bench.limits,
-                                options_of(bench.step.number, {}));
+                                options_of(bench.step.partition));
         judge({bench, bench.student, files, truth.truth, kFreshTolerance, kLeastAllowed}, shot, one);
         check.seconds += one.seconds;
         right += one.verdict == Verdict::pass;

@@ -33,6 +33,7 @@ struct RayTrees {
 
 struct ImageResult {
     std::string scene;
+    std::string partition;  ///< as in SceneTask; told by Check::reproduce
     std::string student, reference, solution;  ///< paths relative to the folder of results.json; empty: there is none
     int width = 0, height = 0, pixels = 0, beyond_rounding = 0, on_silhouettes = 0;
     double max_error = 0, rmse = 0;

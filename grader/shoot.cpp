@@ -60,8 +60,9 @@ Shot shoot(const Sandbox& sandbox, const fs::path& program, const SceneFiles& fi
 }
 
 std::string ray_tree(const Sandbox& sandbox, const fs::path& program, const SceneFiles& files, Raster raster, int x,
-                     int y, bool json, const Limits& limits) {
+                     int y, bool json, const Limits& limits, const std::vector<std::string>& options) {
     Job job = job_for(program, files, raster, limits);
+    job.arguments.insert(job.arguments.end(), options.begin(), options.end());
     job.arguments.push_back("--explain");
     job.arguments.push_back(fmt::format("{},{}", x, y));
     if (json) job.arguments.emplace_back("--json");

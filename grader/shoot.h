@@ -31,6 +31,7 @@ Shot shoot(const Sandbox& sandbox, const std::filesystem::path& program, const S
 
 /// The ray tree of a pixel, as text or as JSON; empty when the program does not give one.
 std::string ray_tree(const Sandbox& sandbox, const std::filesystem::path& program, const SceneFiles& files,
-                     Raster raster, int x, int y, bool json, const Limits& limits);
+                     Raster raster, int x, int y, bool json, const Limits& limits,
+                     const std::vector<std::string>& options = {});
 
 }  // namespace rays::grader

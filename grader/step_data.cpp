@@ -34,13 +34,13 @@ Task task_of(const json& j) {
     return task;
 }
 
-SceneTask scene_of(const json& j) {
+SceneTask scene_of(const json& j, const Step& step) {
     SceneTask scene;
     scene.scene = j.at("scene");
     scene.tasks = j.value("tasks", std::vector<std::string>{});
     scene.points = j.at("points");
     scene.shows = j.value("shows", "");
-    scene.partition = j.value("partition", "");
+    scene.partition = j.value("partition", step.partition);
     return scene;
 }
 
@@ -51,8 +51,9 @@ Step step_of(const fs::path& folder) {
     step.id = j.at("id");
     step.title = j.at("title");
     step.folder = folder;
+    step.partition = j.value("partition", "");
     for (const json& t : j.at("tasks")) step.tasks.push_back(task_of(t));
-    for (const json& s : j.at("scenes")) step.scenes.push_back(scene_of(s));
+    for (const json& s : j.at("scenes")) step.scenes.push_back(scene_of(s, step));
     for (const SceneTask& s : step.scenes)
         for (const std::string& t : s.tasks)
             if (!step.find(t))

@@ -28,6 +28,7 @@ struct Step {
     int number = 0;
     std::string id, title;
     std::filesystem::path folder;
+    std::string partition;  ///< of fresh pictures, and of scenes that do not say otherwise
     std::vector<Task> tasks;
     std::vector<SceneTask> scenes;
 

@@ -190,7 +190,7 @@ TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
     EXPECT_TRUE(tree);
     for (const Check& c : step.checks) {
         if (c.kind != "image" || c.verdict != Verdict::fail) continue;
-        const std::string view = fmt::format("--width {} --height {} --from {}", c.image->width, c.image->height,
+        const std::string view = fmt::format("--width {} --height {} --from {} --partition none", c.image->width, c.image->height,
                                              c.mode == "isolated" ? "student-2" : "student");
         EXPECT_EQ(c.reproduce, fmt::format("./rays render scenes/{0} -o picture.png {3}\n"
                                            "./rays explain scenes/{0} --pixel {1},{2} {3}",

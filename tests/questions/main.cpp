@@ -7,12 +7,10 @@
 
 #include <cstdlib>
 #include <map>
-#include <sstream>
 #include <string_view>
 
+#include "asked.h"
 #include "grader/course.h"
-#include "questions/exchange.h"
-#include "renderer/answer.h"
 
 namespace rays::tests {
 namespace {
@@ -21,18 +19,6 @@ using grader::Answer;
 using grader::Question;
 
 constexpr int kShownWrong = 3;
-
-std::vector<Answer> asked(const std::vector<Question>& questions) {
-    std::vector<const Question*> pointers;
-    for (const Question& q : questions) pointers.push_back(&q);
-    std::istringstream in(grader::question_text(pointers));
-    std::stringstream out;
-    answer_questions(in, out);
-    std::vector<Answer> answers;
-    for (std::string line; std::getline(out, line);) answers.push_back(grader::parse_answer(line));
-    answers.resize(questions.size());
-    return answers;
-}
 
 class Check : public testing::Test {
 public:
