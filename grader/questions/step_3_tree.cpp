@@ -385,6 +385,9 @@ std::vector<Question> trees(std::uint64_t seed) {
                     plane("-z", -20, shining(V(1))));
         slab_sees("0 0 -5 0 0 1", V(adc < 0.2 ? 0.2 : 0),
                   "nothing is traced through a surface whose grey is not above adc_bailout");
+        notes.ask("residual 0 0 -5 0 0 1", "what is not traced through a surface counts as pruned",
+                  starts_with({adc < 0.2 ? 0.2 : 0, adc < 0.2 ? 0.2 : 0, adc < 0.2 ? 0.2 : 0, adc < 0.2 ? 0 : 0.2}, 4,
+                              kLight));
     }
     for (int i = 0; i < 2; ++i) {
         const double filter = dice.round_between(0.3, 0.9);

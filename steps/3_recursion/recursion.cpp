@@ -145,7 +145,8 @@ Radiance outgoing(World& world, const Interaction& at) {
     // Task 3.11: Direct light (with FilteredShadows where the world needs them), what comes through, what is mirrored. The
     // surface's tint is `clear`; with conserve_energy it is multiplied by 1 - reflectivity, and never by less than
     // nothing. Trace nothing through a surface whose tint is black (POV-Ray: whose grey 0.297 r + 0.589 g + 0.114 b
-    // is not above adc_bailout), and no mirror ray where nothing is reflected or total reflection has taken all.
+    // is not above adc_bailout: then its weight counts as pruned), and no mirror ray where nothing is reflected or
+    // total reflection has taken all.
     unfinished("3.11");
     return {};
 }
