@@ -1,8 +1,8 @@
-// measure-4: CPU time of a ray, build and memory of the structures of step 4, beside Embree where it is installed. All
-// options are Google Benchmark's, and --most=N: sets of up to N bodies, default 1000000. Structures that are compared
-// belong in one run, their repetitions mixed:
-//
-//     measure-4 --benchmark_filter=flake --benchmark_repetitions=7 --benchmark_enable_random_interleaving=true
+// measure-4: CPU time of a ray, build and memory of the structures of step 4, beside Embree where it is installed. The
+// options are Google Benchmark's, and
+//     --most=N      sets of up to N bodies, default 1000000
+//     --rounds=N    everything so often, all of it in each round: structures that are compared run side by side. With
+//                   --benchmark_format=json each round is a document of its own.
 #include <benchmark/benchmark.h>
 
 #include <charconv>
@@ -12,19 +12,18 @@
 
 namespace {
 
-/// Takes --most=N out of the arguments. False when N is no number.
-bool take_most(int& argc, char** argv, std::size_t& most) {
-    constexpr std::string_view kOption = "--most=";
+/// Takes `option`, e.g. --most=N, out of the arguments. False when N is no number.
+bool take_number(std::string_view option, int& argc, char** argv, std::size_t& number) {
     int kept = 0;
     bool good = true;
     for (int i = 0; i < argc; ++i) {
         const std::string_view word = argv[i];
-        if (!word.starts_with(kOption)) {
+        if (!word.starts_with(option)) {
             argv[kept++] = argv[i];
             continue;
         }
         const char* const end = word.data() + word.size();
-        const auto read = std::from_chars(word.data() + kOption.size(), end, most);
+        const auto read = std::from_chars(word.data() + option.size(), end, number);
         good = good && read.ec == std::errc() && read.ptr == end;
     }
     argc = kept;
@@ -34,10 +33,13 @@ bool take_most(int& argc, char** argv, std::size_t& most) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::size_t most = 1'000'000;
-    const bool understood = take_most(argc, argv, most);
+    std::size_t most = 1'000'000, rounds = 1;
+    bool understood = take_number("--most=", argc, argv, most);
+    understood = take_number("--rounds=", argc, argv, rounds) && understood;
     benchmark::Initialize(&argc, argv);
     if (!understood || benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     rays::bench::add_structures(most);
-    return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 2;
+    for (std::size_t round = 0; round < rounds; ++round)
+        if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
+    return 0;
 }
