@@ -1,241 +1,24 @@
-// Beyond the step: a bounding volume hierarchy with eight children a node, its boxes in float, tested eight at once.
-//
-// Boxes only decide whom to ask; the shared test of a primitive, in `Real`, gives the answer. So boxes may be coarse as
-// long as they never hide a root: every rounding errs towards asking.
-#include <immintrin.h>
-
+// Beyond the step: a bounding volume hierarchy with eight children a node. Boxes, triangles and spheres are tested
+// eight at once in float; they only decide whom to ask, and the shared test of a primitive, in `Real`, gives the
+// answer.
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <future>
-#include <limits>
-#include <numeric>
 
 #include "4_partitioning/primitive_tester.h"
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
+//> hidden
+#include "4_partitioning/beyond/wide_tree.h"
+//< hidden
 
 namespace rays {
 
 //> hidden
 namespace {
 
-constexpr float kMaxFloat = std::numeric_limits<float>::max();
-constexpr int kWidth = 8;
-
-// ---- Boxes in float -------------------------------------------------------------------------------------------------
-
-// One unit in the last place and more, without a call of nextafter: this is done for every ray.
-float below(Real v) {
-    const auto f = static_cast<float>(v);
-    return f - (std::abs(f) * 0x1p-23f + std::numeric_limits<float>::denorm_min());
-}
-float above(Real v) {
-    const auto f = static_cast<float>(v);
-    return f + (std::abs(f) * 0x1p-23f + std::numeric_limits<float>::denorm_min());
-}
-
-struct FloatBox {
-    std::array<float, 3> lo{kMaxFloat, kMaxFloat, kMaxFloat}, hi{-kMaxFloat, -kMaxFloat, -kMaxFloat};
-
-    void add(const FloatBox& o) {
-        for (int a = 0; a < 3; ++a) {
-            lo[a] = std::min(lo[a], o.lo[a]);
-            hi[a] = std::max(hi[a], o.hi[a]);
-        }
-    }
-    float half_area() const {
-        const float x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
-        return x < 0 ? 0 : x * y + y * z + z * x;
-    }
-};
-
-/// Widened so that a root computed a little outside of the true box is still found: relative to the coordinates, and by
-/// an absolute sliver for boxes that touch a coordinate plane and rays that run in it.
-FloatBox widened(const Bounds& b) {
-    FloatBox box;
-    for (int a = 0; a < 3; ++a) {
-        const Real slack = Real(1e-7) * std::max(std::abs(b.min[a]), std::abs(b.max[a])) + Real(1e-18);
-        box.lo[a] = below(b.min[a] - slack);
-        box.hi[a] = above(b.max[a] + slack);
-    }
-    return box;
-}
-
-// ---- Nodes ----------------------------------------------------------------------------------------------------------
-
-/// Eight children: boxes lane by lane, and what is in each. count 0: an inner node, or, with the empty box, nobody.
-struct alignas(64) Node {
-    float lo[3][kWidth], hi[3][kWidth];
-    std::uint32_t child[kWidth];
-    std::uint8_t count[kWidth];
-};
-
-// ---- Build: binned surface area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
-// 2007), binary first, then collapsed to eight children (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008) ---------
-
-constexpr std::uint32_t kBins = 16, kMostInLeaf = 2;
-constexpr std::uint32_t kParallelFrom = 8192;  ///< below, a thread costs more than it saves
-
-struct BinaryNode {
-    FloatBox box;
-    std::uint32_t begin = 0, end = 0;    ///< of a leaf
-    std::uint32_t left = 0, right = 0;   ///< of an inner node; right 0: a leaf
-};
-
-struct Item {
-    FloatBox box;
-    std::uint32_t primitive;
-    float center(int a) const { return box.lo[a] + box.hi[a]; }  // twice the centre: only compared
-};
-
-class Builder {
-public:
-    explicit Builder(std::vector<Item> items) : items_(std::move(items)), nodes_(2 * items_.size()) {
-        if (!items_.empty()) split(0, 0, static_cast<std::uint32_t>(items_.size()), 0);
-    }
-
-    void collapse_into(std::vector<Node>& wide, std::vector<std::uint32_t>& order) {
-        order.reserve(items_.size());
-        if (!items_.empty()) collapse(0, wide, order);
-    }
-    const FloatBox& root_box() const { return nodes_[0].box; }
-
-private:
-    struct Bin {
-        FloatBox box;
-        std::uint32_t count = 0;
-    };
-    struct Plane {
-        int axis = -1;
-        std::uint32_t bin = 0;
-        float cost = kMaxFloat;
-    };
-
-    // A subtree of n items needs at most 2 n - 1 nodes, so the place of each follows from where its items begin: threads
-    // share nothing, and the tree does not depend on them.
-    void split(std::uint32_t index, std::uint32_t begin, std::uint32_t end, int depth) {
-        BinaryNode& node = nodes_[index];
-        node = {};
-        FloatBox centers;
-        for (std::uint32_t i = begin; i < end; ++i) {
-            node.box.add(items_[i].box);
-            FloatBox c;
-            for (int a = 0; a < 3; ++a) c.lo[a] = c.hi[a] = items_[i].center(a);
-            centers.add(c);
-        }
-        node.begin = begin;
-        node.end = end;
-        const std::uint32_t count = end - begin;
-        if (count == 1) return;
-        const Plane plane = best_plane(begin, end, centers);
-        const float leaf_cost = static_cast<float>(count) * node.box.half_area();
-        if (count <= kMostInLeaf && !(plane.cost + node.box.half_area() < leaf_cost)) return;
-        std::uint32_t middle = begin + count / 2;
-        if (plane.axis >= 0 && depth < 64) {
-            const auto first = items_.begin() + begin, last = items_.begin() + end;
-            const auto mid = std::partition(first, last, [&](const Item& item) {
-                return bin_of(item, plane.axis, centers) <= plane.bin;
-            });
-            middle = static_cast<std::uint32_t>(mid - items_.begin());
-        } else if (count <= kMostInLeaf) {
-            return;
-        }  // else all centres coincide: any halves will do
-        node.left = index + 1;
-        node.right = index + 2 * (middle - begin);
-        if (count >= kParallelFrom && depth < 4) {
-            auto other = std::async(std::launch::async, [this, &node, begin, middle, depth] { split(node.left, begin, middle, depth + 1); });
-            split(node.right, middle, end, depth + 1);
-            other.get();
-        } else {
-            split(node.left, begin, middle, depth + 1);
-            split(node.right, middle, end, depth + 1);
-        }
-    }
-
-    static std::uint32_t bin_of(const Item& item, int axis, const FloatBox& centers) {
-        const float extent = centers.hi[axis] - centers.lo[axis];
-        const float place = (item.center(axis) - centers.lo[axis]) / extent * kBins;
-        return std::min(kBins - 1, static_cast<std::uint32_t>(place));
-    }
-
-    Plane best_plane(std::uint32_t begin, std::uint32_t end, const FloatBox& centers) const {
-        Plane best;
-        for (int axis = 0; axis < 3; ++axis) {
-            const float extent = centers.hi[axis] - centers.lo[axis];
-            if (!(extent > 0) || !(extent < kMaxFloat)) continue;
-            std::array<Bin, kBins> bins;
-            for (std::uint32_t i = begin; i < end; ++i) {
-                Bin& bin = bins[bin_of(items_[i], axis, centers)];
-                bin.box.add(items_[i].box);
-                ++bin.count;
-            }
-            std::array<float, kBins> from_right{};
-            Bin right;
-            for (std::uint32_t i = kBins - 1; i > 0; --i) {
-                right.box.add(bins[i].box);
-                right.count += bins[i].count;
-                from_right[i] = static_cast<float>(right.count) * right.box.half_area();
-            }
-            Bin left;
-            for (std::uint32_t i = 0; i + 1 < kBins; ++i) {
-                left.box.add(bins[i].box);
-                left.count += bins[i].count;
-                const float cost = static_cast<float>(left.count) * left.box.half_area() + from_right[i + 1];
-                if (left.count > 0 && left.count < end - begin && cost < best.cost) best = {axis, i, cost};
-            }
-        }
-        return best;
-    }
-
-    bool is_leaf(std::uint32_t index) const { return nodes_[index].right == 0; }
-
-    /// Opens the largest inner child until there are eight.
-    std::uint32_t collapse(std::uint32_t root, std::vector<Node>& wide, std::vector<std::uint32_t>& order) {
-        std::array<std::uint32_t, kWidth> children{root};
-        int count = 1;
-        while (count < kWidth) {
-            int largest = -1;
-            for (int i = 0; i < count; ++i)
-                if (!is_leaf(children[i]) &&
-                    (largest < 0 || nodes_[children[i]].box.half_area() > nodes_[children[largest]].box.half_area()))
-                    largest = i;
-            if (largest < 0) break;
-            const BinaryNode& opened = nodes_[children[largest]];
-            children[largest] = opened.left;
-            children[count++] = opened.right;
-        }
-        const auto index = static_cast<std::uint32_t>(wide.size());
-        wide.emplace_back();
-        for (int i = 0; i < kWidth; ++i) {
-            const FloatBox box = i < count ? nodes_[children[i]].box : FloatBox{};
-            for (int a = 0; a < 3; ++a) {
-                wide[index].lo[a][i] = box.lo[a];
-                wide[index].hi[a][i] = box.hi[a];
-            }
-            wide[index].child[i] = 0;
-            wide[index].count[i] = 0;
-            if (i >= count) continue;
-            const BinaryNode& node = nodes_[children[i]];
-            if (is_leaf(children[i])) {
-                wide[index].child[i] = static_cast<std::uint32_t>(order.size());
-                wide[index].count[i] = static_cast<std::uint8_t>(node.end - node.begin);
-                for (std::uint32_t k = node.begin; k < node.end; ++k) order.push_back(items_[k].primitive);
-            } else {
-                const std::uint32_t child = collapse(children[i], wide, order);
-                wide[index].child[i] = child;
-            }
-        }
-        return index;
-    }
-
-    std::vector<Item> items_;
-    std::vector<BinaryNode> nodes_;
-};
-
-// ---- Traversal ------------------------------------------------------------------------------------------------------
+using namespace wide;
 
 /// A ray as eight boxes at once see it. In float, with every rounding towards asking: the origin is two numbers, one
 /// for the near planes and one for the far ones, and so is the inverse of the direction.
@@ -283,10 +66,12 @@ public:
         items.reserve(tester_.primitives().size());
         for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i) {
             const Bounds bounds = bounds_of(scene, tester_.primitives()[i]);
-            if (!bounds.is_finite()) unbounded_.push_back(i);
-            else items.push_back({widened(bounds), i});
+            if (!bounds.is_finite())
+                unbounded_.push_back(i);
+            else
+                items.push_back({widened(bounds), i, leaf_kind(scene, tester_.primitives()[i])});
         }
-        Builder(std::move(items)).collapse_into(nodes_, order_);
+        tree_ = Builder(scene, tester_.primitives(), std::move(items)).collapsed();
     }
 
 private:
@@ -300,11 +85,10 @@ private:
         return ++last;
     }
 
-    /// Still to be looked at: a node (count 0) or the primitives of a leaf.
+    /// Still to be looked at.
     struct Open {
-        std::uint32_t child;
-        std::uint32_t count;
         float enters;
+        Child child;
     };
 
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
@@ -337,40 +121,67 @@ private:
                                       [&](std::uint32_t i) { return tester_.blocks(i, ray, range); });
     }
 
-    /// Asks the primitives whose boxes the ray meets until ask(...) says enough; near boxes first, when sorted.
+    /// Asks the primitives that the ray may meet until ask(...) says enough; near boxes first, when sorted.
     template <bool sorted, class Ask>
     bool walk(const Ray& ray, Interval range, const Candidate& best, Ask ask) const {
-        if (nodes_.empty()) return false;
+        if (tree_.nodes.empty()) return false;
         if (range.min < 0) return ask_all(ray, range, ask);
         BoxRay box_ray(ray, range);
-        float far = kMaxFloat;
+        float far = range.max < kMaxFloat ? above(range.max) : kMaxFloat;
         if (best.primitive != kNone) {
             box_ray.shorten(best.root.t);
             far = above(best.root.t);
         }
+        std::optional<TriangleRay> triangle_ray;
+        std::optional<SphereRay> sphere_ray;
+        const auto ask_block = [&](const auto& block, auto& block_ray) {
+            if (!block_ray) block_ray.emplace(ray, range);
+            for (unsigned mask = block_ray->may_meet(block, far); mask != 0; mask &= mask - 1)
+                if (ask(block.primitive[std::countr_zero(mask)], box_ray, far)) return true;
+            return false;
+        };
+        const auto ask_leaf = [&](Child leaf) {
+            if (leaf.kind() == Child::Kind::triangles) return ask_block(tree_.triangles[leaf.place()], triangle_ray);
+            if (leaf.kind() == Child::Kind::spheres) return ask_block(tree_.spheres[leaf.place()], sphere_ray);
+            const std::uint32_t* list = &tree_.lists[leaf.place()];
+            for (std::uint32_t k = 1; k <= list[0]; ++k)
+                if (ask(list[k], box_ray, far)) return true;
+            return false;
+        };
         Open stack[kStackSize];
         int size = 0;
-        stack[size++] = {0, 0, 0};
-        while (size > 0) {
-            const Open open = stack[--size];
-            if (open.enters > far) continue;
-            for (std::uint32_t k = 0; k < open.count; ++k)
-                if (ask(order_[open.child + k], box_ray, far)) return true;
-            if (open.count > 0) continue;
-            if (effort) [[unlikely]]
-                ++effort->nodes;
-            const Node& node = nodes_[open.child];
-            alignas(32) float enters[kWidth];
-            [[maybe_unused]] const int first = size;
-            for (unsigned mask = box_ray.meets(node, enters); mask != 0; mask &= mask - 1) {
-                const int i = std::countr_zero(mask);
-                int place = size++;
-                if constexpr (sorted)  // the nearest ends on top
-                    for (; place > first && stack[place - 1].enters < enters[i]; --place) stack[place] = stack[place - 1];
-                stack[place] = {node.child[i], node.count[i], enters[i]};
+        Open open{0, Child(Child::Kind::node, 0)};
+        for (;;) {
+            bool met = true;
+            while (met && open.child.kind() == Child::Kind::node) {
+                if (effort) [[unlikely]]
+                    ++effort->nodes;
+                const Node& node = tree_.nodes[open.child.place()];
+                alignas(32) float enters[kWidth];
+                unsigned mask = box_ray.meets(node, enters);
+                met = mask != 0;
+                if (!met) break;
+                // The nearest stays in hand, the others wait: nearer ones on top, when sorted.
+                int i = std::countr_zero(mask);
+                open = {enters[i], node.child[i]};
+                [[maybe_unused]] const int first = size;
+                while (mask &= mask - 1) {
+                    i = std::countr_zero(mask);
+                    Open next{enters[i], node.child[i]};
+                    if (sorted && next.enters < open.enters) std::swap(next, open);
+                    int place = size++;
+                    if constexpr (sorted)
+                        for (; place > first && stack[place - 1].enters < next.enters; --place)
+                            stack[place] = stack[place - 1];
+                    stack[place] = next;
+                }
             }
+            if (met && ask_leaf(open.child)) return true;
+            do {
+                if (size == 0) return false;
+                open = stack[--size];
+            } while (open.enters > far);
         }
-        return false;
     }
 
     /// Boxes are for rays that go forward. Whoever looks back is rare enough to be asked everything.
@@ -378,8 +189,8 @@ private:
     bool ask_all(const Ray& ray, Interval range, Ask ask) const {
         BoxRay box_ray(ray, range);
         float far = kMaxFloat;
-        for (const std::uint32_t primitive : order_)
-            if (ask(primitive, box_ray, far)) return true;
+        for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i)
+            if (ask(i, box_ray, far)) return true;
         return false;
     }
 
@@ -388,8 +199,7 @@ private:
     PrimitiveTester tester_;
     const std::uint64_t number_ = next_number();
     std::vector<std::uint32_t> unbounded_;
-    std::vector<Node> nodes_;
-    std::vector<std::uint32_t> order_;  ///< primitives, leaf by leaf
+    Tree tree_;
 };
 
 }  // namespace

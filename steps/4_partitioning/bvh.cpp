@@ -1,17 +1,10 @@
-// Beyond the step: a bounding volume hierarchy with eight children a node, its boxes in float, tested eight at once.
-//
-// Boxes only decide whom to ask; the shared test of a primitive, in `Real`, gives the answer. So boxes may be coarse as
-// long as they never hide a root: every rounding errs towards asking.
-#include <immintrin.h>
-
+// Beyond the step: a bounding volume hierarchy with eight children a node. Boxes, triangles and spheres are tested
+// eight at once in float; they only decide whom to ask, and the shared test of a primitive, in `Real`, gives the
+// answer.
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <future>
-#include <limits>
-#include <numeric>
 
 #include "4_partitioning/primitive_tester.h"
 #include "4_partitioning/structures.h"

@@ -30,7 +30,8 @@ void Interpreter::fetch() {
     for (;;) {
         ++tokens_;
         const char* before = scanner_.at();
-        scanner_.scan(names_, token);
+        if (blocks_.empty()) scanner_.scan(names_, token);
+        else scanner_.scan_repeated(names_, token);
         spend(1 + (scanner_.at() - before + scanner_.take_walked()) / kBytesPerWork);
         switch (token.kind) {
             case Token::Kind::name:

@@ -3,6 +3,7 @@
 
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "scene_reader/value.h"
 
@@ -52,6 +53,8 @@ public:
 
     /// The next token; a '#' is left to the caller, who sees kind hash. End of text is kind end.
     void scan(Names& names, Token& token);
+    /// The same, for text that is read time and again, as loops and macros are: what was scanned is remembered by its place.
+    void scan_repeated(Names& names, Token& token);
     Token scan(Names& names) {
         Token token;
         scan(names, token);
@@ -82,10 +85,20 @@ private:
     void scan_string(Token& token);
     void scan_name(Token& token, Names& names);
 
+    /// What stands in the text from `from` on. Texts do not change, so it stays true.
+    struct Remembered {
+        const char* from = nullptr;
+        const char* to = nullptr;
+        std::int64_t walked = 0;
+        Token token;
+    };
+    static constexpr std::size_t kRemembered = 4096;  ///< a body of so many bytes is remembered whole
+
     const Source* source_ = nullptr;
     const char* at_ = nullptr;
     const char* end_ = nullptr;
     std::int64_t walked_ = 0;
+    std::vector<Remembered> remembered_;  ///< by the last bits of `from`; empty until something repeats
 };
 
 }  // namespace rays::sdl

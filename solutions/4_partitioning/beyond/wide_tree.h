@@ -1,0 +1,249 @@
+// A hierarchy of boxes with eight children a node: its nodes, and how it is built.
+//
+// Binned surface area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), binary
+// first, then collapsed to eight children (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <future>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "4_partitioning/beyond/float_box.h"
+#include "4_partitioning/beyond/leaf_blocks.h"
+
+namespace rays::wide {
+
+/// What a child is, in one number: its kind in the upper two bits, its place in the rest.
+class Child {
+public:
+    enum class Kind : std::uint32_t { node, list, triangles, spheres };
+
+    Child() = default;
+    Child(Kind kind, std::size_t place)
+        : bits_(static_cast<std::uint32_t>(kind) << 30 | static_cast<std::uint32_t>(place)) {}
+    Kind kind() const { return static_cast<Kind>(bits_ >> 30); }
+    std::uint32_t place() const { return bits_ & 0x3fffffff; }
+
+private:
+    std::uint32_t bits_;  // without a value of its own: stacks of these cost nothing to make
+};
+
+/// Eight children, their boxes lane by lane. Who is not there has the empty box, which no ray meets.
+struct alignas(64) Node {
+    float lo[3][kWidth], hi[3][kWidth];
+    Child child[kWidth];
+};
+
+struct Tree {
+    std::vector<Node> nodes;
+    std::vector<std::uint32_t> lists;  ///< leaf by leaf: how many, and then the primitives
+    std::vector<TriangleBlock> triangles;
+    std::vector<SphereBlock> spheres;
+};
+
+/// What goes into the tree.
+struct Item {
+    FloatBox box;
+    std::uint32_t primitive;
+    LeafKind kind;
+    float center(int a) const { return box.lo[a] + box.hi[a]; }  // twice the centre: only compared
+};
+
+class Builder {
+public:
+    Builder(const Scene& scene, const std::vector<Primitive>& primitives, std::vector<Item> items)
+        : scene_(scene), primitives_(primitives), items_(std::move(items)), nodes_(2 * items_.size()) {
+        if (!items_.empty()) split(0, 0, static_cast<std::uint32_t>(items_.size()), 0);
+    }
+
+    Tree collapsed() {
+        Tree tree;
+        if (!items_.empty()) collapse(0, tree);
+        return tree;
+    }
+
+private:
+    struct BinaryNode {
+        FloatBox box;
+        std::uint32_t begin = 0, end = 0;   ///< of a leaf
+        std::uint32_t left = 0, right = 0;  ///< of an inner node; right 0: a leaf
+    };
+    struct Bin {
+        FloatBox box;
+        std::uint32_t count = 0;
+        float cost = 0;
+    };
+    struct Plane {
+        int axis = -1;
+        std::uint32_t bin = 0;
+        float cost = kMaxFloat;
+    };
+
+    static constexpr std::uint32_t kBins = 16;
+    static constexpr std::uint32_t kParallelFrom = 8192;  ///< below, a thread costs more than it saves
+
+    /// Of asking a primitive, where opening a pair of boxes is 1; measured (NOTES.md).
+    static constexpr float cost_of(LeafKind kind) { return kind == LeafKind::list ? 1.0f : 0.3f; }
+    static constexpr std::uint32_t most_in_leaf(LeafKind kind) { return kind == LeafKind::list ? 2 : kWidth; }
+
+    // A subtree of n items needs at most 2 n - 1 nodes, so the place of each follows from where its items begin:
+    // threads share nothing, and the tree does not depend on them.
+    void split(std::uint32_t index, std::uint32_t begin, std::uint32_t end, int depth) {
+        BinaryNode& node = nodes_[index];
+        node = {};
+        FloatBox centers;
+        float cost = 0;
+        bool mixed = false;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            node.box.add(items_[i].box);
+            FloatBox c;
+            for (int a = 0; a < 3; ++a) c.lo[a] = c.hi[a] = items_[i].center(a);
+            centers.add(c);
+            cost += cost_of(items_[i].kind);
+            mixed |= items_[i].kind != items_[begin].kind;
+        }
+        node.begin = begin;
+        node.end = end;
+        const std::uint32_t count = end - begin;
+        if (count == 1) return;
+        const std::uint32_t most = mixed ? 1 : most_in_leaf(items_[begin].kind);
+        const Plane plane = best_plane(begin, end, centers);
+        if (count <= most && !(plane.cost + node.box.half_area() < cost * node.box.half_area())) return;
+        std::uint32_t middle = begin + count / 2;
+        if (plane.axis >= 0 && depth < 64) {
+            const auto first = items_.begin() + begin, last = items_.begin() + end;
+            const auto mid = std::partition(
+                first, last, [&](const Item& item) { return bin_of(item, plane.axis, centers) <= plane.bin; });
+            middle = static_cast<std::uint32_t>(mid - items_.begin());
+        } else if (count <= most) {
+            return;
+        }  // else all centres coincide: any halves will do
+        node.left = index + 1;
+        node.right = index + 2 * (middle - begin);
+        if (count >= kParallelFrom && depth < 4) {
+            auto other = std::async(std::launch::async, [this, &node, begin, middle, depth] {
+                split(node.left, begin, middle, depth + 1);
+            });
+            split(node.right, middle, end, depth + 1);
+            other.get();
+        } else {
+            split(node.left, begin, middle, depth + 1);
+            split(node.right, middle, end, depth + 1);
+        }
+    }
+
+    static std::uint32_t bin_of(const Item& item, int axis, const FloatBox& centers) {
+        const float extent = centers.hi[axis] - centers.lo[axis];
+        const float place = (item.center(axis) - centers.lo[axis]) / extent * kBins;
+        return std::min(kBins - 1, static_cast<std::uint32_t>(place));
+    }
+
+    Plane best_plane(std::uint32_t begin, std::uint32_t end, const FloatBox& centers) const {
+        Plane best;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float extent = centers.hi[axis] - centers.lo[axis];
+            if (!(extent > 0) || !(extent < kMaxFloat)) continue;
+            std::array<Bin, kBins> bins;
+            for (std::uint32_t i = begin; i < end; ++i) {
+                Bin& bin = bins[bin_of(items_[i], axis, centers)];
+                bin.box.add(items_[i].box);
+                ++bin.count;
+                bin.cost += cost_of(items_[i].kind);
+            }
+            std::array<float, kBins> from_right{};
+            Bin right;
+            for (std::uint32_t i = kBins - 1; i > 0; --i) {
+                right.box.add(bins[i].box);
+                right.cost += bins[i].cost;
+                from_right[i] = right.cost * right.box.half_area();
+            }
+            Bin left;
+            for (std::uint32_t i = 0; i + 1 < kBins; ++i) {
+                left.box.add(bins[i].box);
+                left.count += bins[i].count;
+                left.cost += bins[i].cost;
+                const float cost = left.cost * left.box.half_area() + from_right[i + 1];
+                if (left.count > 0 && left.count < end - begin && cost < best.cost) best = {axis, i, cost};
+            }
+        }
+        return best;
+    }
+
+    bool is_leaf(std::uint32_t index) const { return nodes_[index].right == 0; }
+
+    /// The node and those below it whose places it takes: opens the largest inner child until there are eight.
+    int open(std::uint32_t root, std::array<std::uint32_t, kWidth>& children) const {
+        children[0] = root;
+        int count = 1;
+        while (count < kWidth) {
+            int largest = -1;
+            for (int i = 0; i < count; ++i)
+                if (!is_leaf(children[i]) &&
+                    (largest < 0 || nodes_[children[i]].box.half_area() > nodes_[children[largest]].box.half_area()))
+                    largest = i;
+            if (largest < 0) break;
+            const BinaryNode& opened = nodes_[children[largest]];
+            children[largest] = opened.left;
+            children[count++] = opened.right;
+        }
+        return count;
+    }
+
+    std::uint32_t collapse(std::uint32_t root, Tree& tree) {
+        std::array<std::uint32_t, kWidth> children;
+        const int count = open(root, children);
+        const auto index = static_cast<std::uint32_t>(tree.nodes.size());
+        tree.nodes.emplace_back();
+        for (int i = 0; i < kWidth; ++i) {
+            const FloatBox box = i < count ? nodes_[children[i]].box : FloatBox{};
+            for (int a = 0; a < 3; ++a) {
+                tree.nodes[index].lo[a][i] = box.lo[a];
+                tree.nodes[index].hi[a][i] = box.hi[a];
+            }
+            if (i >= count) continue;
+            const Child child = is_leaf(children[i]) ? leaf(nodes_[children[i]], tree)
+                                                     : Child(Child::Kind::node, collapse(children[i], tree));
+            tree.nodes[index].child[i] = child;
+        }
+        return index;
+    }
+
+    Child leaf(const BinaryNode& leaf, Tree& tree) const {
+        switch (items_[leaf.begin].kind) {
+            case LeafKind::triangles:
+                return {Child::Kind::triangles, add_block(tree.triangles, leaf)};
+            case LeafKind::spheres:
+                return {Child::Kind::spheres, add_block(tree.spheres, leaf)};
+            case LeafKind::list:
+                break;
+        }
+        const Child child(Child::Kind::list, tree.lists.size());
+        tree.lists.push_back(leaf.end - leaf.begin);
+        for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) tree.lists.push_back(items_[k].primitive);
+        return child;
+    }
+
+    template <class Block>
+    std::size_t add_block(std::vector<Block>& blocks, const BinaryNode& leaf) const {
+        Block& block = blocks.emplace_back();
+        for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
+            const std::uint32_t primitive = items_[k].primitive;
+            if constexpr (std::is_same_v<Block, SphereBlock>)
+                put(block, scene_.spheres[scene_.objects[primitives_[primitive].object].shape], primitive);
+            else
+                put(block, triangle_of(scene_, primitives_[primitive]), primitive);
+        }
+        return blocks.size() - 1;
+    }
+
+    const Scene& scene_;
+    const std::vector<Primitive>& primitives_;
+    std::vector<Item> items_;
+    std::vector<BinaryNode> nodes_;
+};
+
+}  // namespace rays::wide
