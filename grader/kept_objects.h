@@ -13,10 +13,10 @@ class KeptObjects {
 public:
     KeptObjects(const Builder& builder, const Project& project);
 
-    /// What `builder.compile` (-O2) gives. A file with the solution's text has its object in the build. One with the text
-    /// of steps/ is compiled once for each state of that text, the headers of steps/ and the build; `object` becomes a
-    /// copy. Any other text is compiled and not kept, so at most one object a file of the steps is: no submission fills
-    /// the folder. Only this process writes there, and never what is not whole.
+    /// What `builder.compile` (-O2) gives. A file with the solution's text has its object in the build. One with the
+    /// text of steps/ is compiled once for each state of that text, the headers of steps/ and the build; `object`
+    /// becomes a copy. Any other text is compiled and not kept, so at most one object a file of the steps is: no
+    /// submission fills the folder. Only this process writes there, and never what is not whole.
     Built compile(const std::string& file, const std::filesystem::path& source,
                   const std::filesystem::path& object) const;
 

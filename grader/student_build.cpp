@@ -47,9 +47,8 @@ std::vector<Work> compile_all(const Builder& builder, const Project& project, co
 
 // Where every file is the solution's, so is the program.
 Built linked(const Builder& builder, const Project& project, const Objects& objects, const fs::path& program) {
-    const bool solution = std::all_of(objects.begin(), objects.end(), [&](const auto& o) {
-        return o.second == builder.solution_object(o.first);
-    });
+    const bool solution = std::all_of(objects.begin(), objects.end(),
+                                      [&](const auto& o) { return o.second == builder.solution_object(o.first); });
     if (solution) return {true, false, project.program("render-solution"), {}};
     return builder.link(objects, program);
 }

@@ -71,7 +71,9 @@ TEST_F(KeptObjectsTest, AStarterIsCompiledOnceAndGivesWhatTheCompilerGave) {
     const Built compiled = submit(starter());
     ASSERT_TRUE(compiled.good) << compiled.message;
     const std::string object = read_file(compiled.file);
-    EXPECT_TRUE(object.starts_with("\x7f" "ELF"));
+    EXPECT_TRUE(
+        object.starts_with("\x7f"
+                           "ELF"));
     EXPECT_EQ(read_file(submit(starter()).file), object);
     mark();
     EXPECT_TRUE(is_marked(submit(starter())));
