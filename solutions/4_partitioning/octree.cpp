@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "4_partitioning/effort.h"
 #include "4_partitioning/parallel.h"
+#include "4_partitioning/primitive_tester.h"
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 

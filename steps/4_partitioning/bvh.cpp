@@ -13,8 +13,7 @@
 #include <limits>
 #include <numeric>
 
-#include "4_partitioning/effort.h"
-#include "4_partitioning/partitioning.h"
+#include "4_partitioning/primitive_tester.h"
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "4_partitioning/effort.h"
 #include "4_partitioning/parallel.h"
+#include "4_partitioning/primitive_tester.h"
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 

@@ -1,9 +1,7 @@
 // Step 4, spatial partitioning: what is partitioned, the one test of a primitive, and the choice.
 #include "4_partitioning/partitioning.h"
 
-#include <cmath>
-
-#include "4_partitioning/effort.h"
+#include "4_partitioning/primitive_tester.h"
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 
@@ -22,59 +20,23 @@ std::vector<Primitive> primitives_of(const Scene& scene) {
 }
 
 PrimitiveTester::PrimitiveTester(const Scene& scene) : scene_(&scene), primitives_(primitives_of(scene)) {
+    const auto way_of = [](const Object& object) {
+        if (object.transform != kNone || object.clip != kNone) return Way::other;
+        switch (object.kind) {
+            case ShapeKind::sphere: return Way::sphere;
+            case ShapeKind::mesh: return Way::face;
+            case ShapeKind::triangle: return Way::triangle;
+            case ShapeKind::cone: return Way::cone;
+            case ShapeKind::plane: return Way::plane;
+            default: return Way::other;
+        }
+    };
     dispatch_.reserve(primitives_.size());
     for (const Primitive& p : primitives_) {
         const Object& object = scene.objects[p.object];
-        const bool plain = object.transform == kNone && object.clip == kNone;
-        dispatch_.push_back({object.shape, object.kind, plain, !object.no_shadow});
+        const bool iterated = object.kind == ShapeKind::torus || object.kind == ShapeKind::bicubic_patch;
+        dispatch_.push_back({object.shape, way_of(object), iterated, !object.no_shadow});
     }
-}
-
-// Most primitives of large scenes are plain spheres, faces, triangles and cones, and most scenes have a floor: these are
-// asked without detours.
-std::optional<Root> PrimitiveTester::intersect_one(std::uint32_t primitive, const Ray& ray, Interval range) const {
-    if (effort) [[unlikely]]
-        ++effort->tests;
-    const Dispatch& d = dispatch_[primitive];
-    const Primitive p = primitives_[primitive];
-    if (d.plain) {
-        if (d.kind == ShapeKind::sphere) return intersect(scene_->spheres[d.shape], ray, range);
-        if (d.kind == ShapeKind::mesh) return intersect(scene_->meshes[d.shape], p.part, ray, range);
-        if (d.kind == ShapeKind::triangle) return intersect(scene_->triangles[d.shape], ray, range);
-        if (d.kind == ShapeKind::cone) return intersect(scene_->cones[d.shape], ray, range);
-        if (d.kind == ShapeKind::plane) return intersect(scene_->planes[d.shape], ray, range);
-    }
-    return intersect_part(*scene_, scene_->objects[p.object], p.part, ray, range);
-}
-
-namespace {
-
-bool is_iterated(ShapeKind kind) { return kind == ShapeKind::torus || kind == ShapeKind::bicubic_patch; }
-
-/// The smallest number above t.
-Real just_above(Real t) {
-    return t > 0 ? t * (1 + std::numeric_limits<Real>::epsilon()) : std::nextafter(t, kInfinity);
-}
-
-}  // namespace
-
-void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range, Candidate& best) const {
-    // A little beyond the best root, so that one at equal t is seen too; the rule for ties then decides. Iterations that
-    // start from the ends of the range would make the last bits depend on the order of the questions.
-    if (best.primitive != kNone && !is_iterated(dispatch_[primitive].kind)) range.max = just_above(best.root.t);
-    const auto root = intersect_one(primitive, ray, range);
-    if (!root) return;
-    if (best.primitive == kNone || root->t < best.root.t || (root->t == best.root.t && primitive < best.primitive))
-        best = {*root, primitive};
-}
-
-bool PrimitiveTester::blocks(std::uint32_t primitive, const Ray& ray, Interval range) const {
-    return dispatch_[primitive].casts && intersect_one(primitive, ray, range).has_value();
-}
-
-std::optional<Hit> PrimitiveTester::complete(const Ray& ray, const Candidate& best) const {
-    if (best.primitive == kNone) return std::nullopt;
-    return complete_hit(*scene_, primitives_[best.primitive].object, ray, best.root);
 }
 
 std::optional<Partition> partition_named(std::string_view name) {

@@ -43,43 +43,6 @@ struct Bounds {
     }
 };
 
-/// The nearest root so far, and whose it is.
-struct Candidate {
-    Root root;
-    std::uint32_t primitive = kNone;  ///< into the list of primitives; kNone: nothing found
-};
-
-/// The one test that all structures share. Counts what it is asked while somebody counts.
-class PrimitiveTester {
-public:
-    explicit PrimitiveTester(const Scene& scene);
-
-    const Scene& scene() const { return *scene_; }
-    const std::vector<Primitive>& primitives() const { return primitives_; }
-
-    /// Keeps the nearer of `best` and this primitive's root in (range.min, range.max); at equal t the smaller number.
-    /// Any order of calls ends with the same best.
-    void keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range, Candidate& best) const;
-    /// Does this primitive cast a shadow, and have a root in the range?
-    bool blocks(std::uint32_t primitive, const Ray& ray, Interval range) const;
-    /// The hit that a candidate is, if there is one.
-    std::optional<Hit> complete(const Ray& ray, const Candidate& best) const;
-
-private:
-    /// What the test of a primitive needs to know, side by side: 8 bytes beside the primitive's own 8.
-    struct Dispatch {
-        std::uint32_t shape;
-        ShapeKind kind;
-        bool plain;  ///< neither moved nor clipped: the shape itself can be asked
-        bool casts;  ///< a shadow
-    };
-    std::optional<Root> intersect_one(std::uint32_t primitive, const Ray& ray, Interval range) const;
-
-    const Scene* scene_;
-    std::vector<Primitive> primitives_;
-    std::vector<Dispatch> dispatch_;
-};
-
 // ---- Task 4.1: bounds -------------------------------------------------------------------------------------------------
 
 /// A box around all points of a primitive, as its object is placed and clipped. Loose is right, tight is fast; rounding

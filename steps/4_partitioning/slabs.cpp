@@ -20,14 +20,6 @@ Real rounding_of(const Ray& ray, const Bounds& box) {
     return 8 * std::numeric_limits<Real>::epsilon() * (largest(ray.origin) + reach);
 }
 
-bool is_ray(const Ray& ray) {
-    constexpr Real kLargest = sizeof(Real) == 8 ? Real(1e50) : Real(1e7);  // their products are numbers, too
-    const Vec3 size = glm::abs(ray.direction), away = glm::abs(ray.origin);
-    const Real direction = std::max(size.x, std::max(size.y, size.z));
-    const Real origin = std::max(away.x, std::max(away.y, away.z));
-    return !glm::any(glm::isnan(size)) && !glm::any(glm::isnan(away)) && direction > 1 / kLargest && direction < kLargest && origin < kLargest * kLargest;
-}
-
 std::optional<Ray> without_zeros(const Ray& ray) {
     if (!is_ray(ray)) return std::nullopt;
     const Vec3 size = glm::abs(ray.direction);

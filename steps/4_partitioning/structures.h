@@ -49,7 +49,12 @@ Real rounding_of(const Ray& ray, const Bounds& box);
 
 /// False for what is no ray: a NaN or an infinity in it, no direction, or one so long or short that its square is no
 /// number. Structures answer such questions with a miss, at once.
-bool is_ray(const Ray& ray);
+inline bool is_ray(const Ray& ray) {
+    constexpr Real kLargest = sizeof(Real) == 8 ? Real(1e50) : Real(1e7);  // their products are numbers, too
+    const Real direction2 = glm::dot(ray.direction, ray.direction), origin2 = glm::dot(ray.origin, ray.origin);
+    // A NaN fails every comparison.
+    return direction2 > 1 / (kLargest * kLargest) && direction2 < kLargest * kLargest && origin2 < kLargest * kLargest;
+}
 
 /// The ray with every component of the direction at least a rounding error of the largest: what is computed from its
 /// inverse is finite then. The point at t moves by less than rounding_of. Nothing unless it is_ray.

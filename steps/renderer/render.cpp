@@ -36,13 +36,13 @@ private:
     Inside media_;
 };
 
-Radiance render_pixel(World& world, const CameraMedia& media, const RenderOptions& options, int x, int y) {
-    const int side = static_cast<int>(std::lround(std::sqrt(options.samples)));
+/// The mean of side x side samples, in a regular grid.
+Radiance render_pixel(World& world, const CameraMedia& media, Raster raster, int side, int x, int y) {
     Radiance sum;
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             const Vec2 offset((i + Real(0.5)) / side - Real(0.5), (j + Real(0.5)) / side - Real(0.5));
-            const Ray ray = camera_ray(world.scene.camera, options.raster, x, y, offset);
+            const Ray ray = camera_ray(world.scene.camera, raster, x, y, offset);
             sum += radiance(world, ray, media.at(ray.origin));
         }
     }
@@ -104,13 +104,14 @@ Film render(const Scene& scene, const RenderOptions& options, Residual* residual
     const World prototype = make_world(scene, *intersector);
     const CameraMedia media(prototype);
     Residuals residuals(options.raster.height);
+    const int side = static_cast<int>(std::lround(std::sqrt(options.samples)));
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
         World world = prototype;
         for (int y = next_row++; y < options.raster.height; y = next_row++) {
             for (int x = 0; x < options.raster.width; ++x) {
                 world.pruned = 0;
-                film.at(x, y) = render_pixel(world, media, options, x, y);
+                film.at(x, y) = render_pixel(world, media, options.raster, side, x, y);
                 residuals.add(x, y, world.pruned / options.samples);
             }
             if (reports && options.progress) options.progress(double(y + 1) / options.raster.height);

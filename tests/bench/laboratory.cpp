@@ -2,56 +2,35 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "references/povray.h"
 #include "support/files.h"
-#include "support/process.h"
 
 namespace rays::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLongest_s = 1200;  ///< of one run: slower than this nothing can be charted
+/// On the terminal: charts take minutes.
+void say(const std::string& what) { fmt::print(stderr, "rays-chart: {}\n", what); }
 
-/// A trusted program and its arguments, in a folder of its own.
-Command trusted(std::vector<std::string> argv, const fs::path& folder) {
-    Command command;
-    command.argv = std::move(argv);
-    command.folder = folder;
-    command.limits = only_time(kLongest_s);
-    return command;
+std::vector<std::string> benchmark_options(double seconds, const std::string& filter = ".") {
+    return {"--benchmark_format=json", fmt::format("--benchmark_min_time={}", seconds),
+            "--benchmark_filter=" + filter};
 }
 
-Command measuring(const fs::path& bin, int step, double seconds) {
-    return trusted({(bin / fmt::format("measure-{}", step)).string(), "--benchmark_format=json",
-                    fmt::format("--benchmark_min_time={}", seconds)},
-                   {});
-}
-
-Command povray(const fs::path& scene, int width, int height, const fs::path& folder) {
-    const fs::path program = find_program("povray");
-    if (program.empty()) throw std::runtime_error("POV-Ray is not installed: apt-get install povray povray-includes");
-    Command command = trusted({program.string()}, folder);
-    for (const auto& option : Povray::frame_options(scene.string(), {width, height}, "povray.exr"))
-        command.argv.push_back(option);
-    for (const fs::path& library : {scene.parent_path(), find_povray_includes()})
-        command.argv.push_back("+L" + library.string());
-    return command;
+Command measuring(const fs::path& program, std::vector<std::string> options) {
+    options.insert(options.begin(), program.string());
+    return trusted(std::move(options), {});
 }
 
 }  // namespace
 
 void add_round(MeasuredByName& measured, const std::string& benchmark_json) {
-    const auto json = nlohmann::json::parse(benchmark_json, nullptr, false);
-    if (json.is_discarded() || !json.contains("benchmarks"))
-        throw std::runtime_error("a measuring program did not write Google Benchmark's JSON");
-    for (const auto& run : json.at("benchmarks")) {
+    for (const auto& run : benchmark_runs(benchmark_json)) {
         Measured& m = measured[run.at("name").get<std::string>()];
-        if (run.at("time_unit") != "ns") throw std::runtime_error("a measuring program does not count in nanoseconds");
         m.ns.push_back(run.at("cpu_time").get<double>() / run.at("rays").get<double>());
         m.settings = run.value("label", "");
         m.error_median = run.at("error_median");
@@ -61,31 +40,82 @@ void add_round(MeasuredByName& measured, const std::string& benchmark_json) {
     }
 }
 
+std::vector<std::string> scenes_of(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".pov") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 const BothReals& Laboratory::methods(int step) {
     const auto emplaced = methods_.try_emplace(step);
     BothReals& found = emplaced.first->second;
     if (!emplaced.second) return found;
     const auto measure = [&](bool in_float) {
-        const auto command = measuring(in_float ? settings_.float_bin : settings_.bin, step, settings_.seconds);
+        const fs::path& bin = in_float ? settings_.float_bin : settings_.bin;
+        const auto command = measuring(bin / fmt::format("measure-{}", step), benchmark_options(settings_.seconds));
         add_round(in_float ? found.in_float : found.in_double, run_or_throw(command).out);
     };
     for (int round = 0; round < settings_.rounds; ++round) {
-        std::fprintf(stderr, "rays-chart: methods of step %d, round %d of %d\n", step, round + 1, settings_.rounds);
+        say(fmt::format("methods of step {}, round {} of {}", step, round + 1, settings_.rounds));
         measure(round % 2 == 1);
         measure(round % 2 == 0);
     }
     return found;
 }
 
-PairedTimes Laboratory::against_povray(const std::string& scene, int width, int height) const {
-    std::fprintf(stderr, "rays-chart: %s beside POV-Ray\n", scene.c_str());
-    const TemporaryFolder folder;
-    const fs::path file = fs::absolute(settings_.scenes / scene);
-    const Command ours =
-        trusted({fs::absolute(settings_.bin / "render-solution").string(), file.string(), "-o", "rays.exr", "--width",
-                 std::to_string(width), "--height", std::to_string(height), "--threads", "1"},
-                folder.path());
-    return time_in_pairs(povray(file, width, height, folder.path()), ours, settings_.rounds);
+const TimedByName& Laboratory::structures() {
+    if (!structures_.empty()) return structures_;
+    say("structures of step 4 and Embree");
+    auto options = benchmark_options(settings_.seconds / 2);
+    options.push_back(fmt::format("--most={}", settings_.large ? 10'000'000 : 1'000'000));
+    options.push_back(fmt::format("--rounds={}", settings_.long_rounds));
+    add_runs(structures_, run_or_throw(measuring(settings_.bin / "measure-4", options)).out);
+    return structures_;
+}
+
+const std::vector<KnobRun>& Laboratory::knobs() {
+    if (!knobs_.empty()) return knobs_;
+    for (const Knob& knob : read_knobs(settings_.bin, 4))
+        if (fs::exists(knob.program)) knobs_.push_back({knob, {}});
+    for (int round = 0; round < settings_.long_rounds; ++round) {
+        say(fmt::format("knobs of step 4, round {} of {}", round + 1, settings_.long_rounds));
+        for (KnobRun& run : knobs_) {
+            const std::string structure = run.knob.name.substr(0, run.knob.name.find('-'));
+            const std::string filter = fmt::format("^(nearest/bounced|build)/(spheres|triangles)/100000/{}", structure);
+            add_runs(run.timed, run_or_throw(measuring(run.knob.program, benchmark_options(settings_.seconds, filter))).out);
+        }
+    }
+    return knobs_;
+}
+
+std::vector<WholeProgram> Laboratory::whole_programs(const std::string& folder, int side) const {
+    const TemporaryFolder temporary;
+    std::vector<WholeProgram> programs;
+    std::vector<Command> commands;
+    for (const std::string& name : scenes_of(settings_.scenes / folder)) {
+        programs.push_back({folder + "/" + name, {}, {}});
+        const Picture picture{scene(folder + "/" + name + ".pov"), {side, side}};
+        commands.push_back(povray_command(picture, temporary.path(), "povray.exr"));
+        commands.push_back(raysteps_command(program("render-solution"), picture, temporary.path(), "rays.exr"));
+    }
+    say(fmt::format("{} scenes of {} beside POV-Ray", programs.size(), folder));
+    const auto times = time_in_turns(commands, settings_.long_rounds);
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        programs[i].povray_s = times[2 * i];
+        programs[i].raysteps_s = times[2 * i + 1];
+    }
+    return programs;
+}
+
+std::vector<Tried> Laboratory::try_all(const std::vector<Try>& tries, int rounds) const {
+    std::vector<Command> commands;
+    for (const Try& t : tries) commands.push_back(t.command);
+    const auto times = time_in_turns(commands, rounds);
+    std::vector<Tried> result;
+    for (std::size_t i = 0; i < tries.size(); ++i) result.push_back({spread(times[i]), load_rgb_exr(tries[i].output)});
+    return result;
 }
 
 }  // namespace rays::bench

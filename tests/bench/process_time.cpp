@@ -15,19 +15,27 @@ Ended run_or_throw(const Command& command) {
                                          words.substr(words.size() - std::min<std::size_t>(words.size(), 2000))));
 }
 
-PairedTimes time_in_pairs(const Command& first, const Command& second, int rounds) {
-    run_or_throw(first);
-    run_or_throw(second);
-    std::vector<double> firsts, seconds, ratios;
+std::vector<std::vector<double>> time_in_turns(const std::vector<Command>& commands, int rounds) {
+    std::vector<std::vector<double>> times(commands.size());
     for (int round = 0; round < rounds; ++round) {
-        const bool swapped = round % 2 == 1;
-        const double a = run_or_throw(swapped ? second : first).cpu_s;
-        const double b = run_or_throw(swapped ? first : second).cpu_s;
-        firsts.push_back(swapped ? b : a);
-        seconds.push_back(swapped ? a : b);
-        ratios.push_back(firsts.back() / seconds.back());
+        for (std::size_t i = 0; i < commands.size(); ++i) {
+            const std::size_t which = round % 2 == 0 ? i : commands.size() - 1 - i;
+            times[which].push_back(run_or_throw(commands[which]).cpu_s);
+        }
     }
-    return {spread(firsts), spread(seconds), spread(ratios)};
+    return times;
+}
+
+PairedTimes paired(const std::vector<double>& first, const std::vector<double>& second) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < first.size(); ++i) ratios.push_back(first[i] / second.at(i));
+    return {spread(first), spread(second), spread(ratios)};
+}
+
+PairedTimes time_in_pairs(const Command& first, const Command& second, int rounds) {
+    time_in_turns({first, second}, 1);
+    const auto times = time_in_turns({first, second}, rounds);
+    return paired(times[0], times[1]);
 }
 
 }  // namespace rays::bench
