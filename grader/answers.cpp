@@ -48,7 +48,7 @@ Run run_once(const Sandbox& sandbox, const std::filesystem::path& program,
 void ask_one_by_one(const Sandbox& sandbox, const std::filesystem::path& program,
                     const std::vector<const Question*>& questions, Limits limits, Replies& replies) {
     limits.wall_s = std::min(limits.wall_s, 5.0);
-    limits.cpu_s = std::min(limits.cpu_s, 4.0);
+    limits.cpu_s = std::min(limits.cpu_s / 4, 4.0);
     int losses = 0;
     for (std::size_t i = 0; i < questions.size() && losses < kMostLosses; ++i) {
         if (replies.answers[i].kind != Answer::Kind::missing) continue;

@@ -149,6 +149,12 @@ std::vector<std::string> Builder::files_of(int step) const {
     return files;
 }
 
+std::string Builder::state(const std::string& file) const {
+    const Unit& unit = units_.at(file);
+    const auto built = fs::last_write_time(project_.build / unit.solution_object).time_since_epoch().count();
+    return fmt::format("{}\n{}\n", fmt::join(unit.compile, "\n"), built);
+}
+
 Built Builder::compile(const std::string& file, const fs::path& source, const fs::path& object,
                        const std::string& optimisation) const {
     Command command = plain_speaking(units_.at(file).compile, project_.build);

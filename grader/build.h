@@ -28,6 +28,13 @@ public:
     /// The files of a step, relative to steps/ (and to solutions/): "1_ray_casting/camera.cpp".
     std::vector<std::string> files_of(int step) const;
 
+    /// The build's object of the solution's file, which `link` takes where it is given no other.
+    std::filesystem::path solution_object(const std::string& file) const { return units_.at(file).solution_object; }
+
+    /// A text that changes with the command that compiles `file`, and whenever the build compiles the solution's file
+    /// again, be it for another compiler or another library.
+    std::string state(const std::string& file) const;
+
     /// `file` says whose flags are used. The compiler's messages name the source as "steps/<file>".
     Built compile(const std::string& file, const std::filesystem::path& source, const std::filesystem::path& object,
                   const std::string& optimisation) const;

@@ -186,7 +186,7 @@ Results grade(const Project& project, const GradeOptions& options) {
     const StudentPrograms programs =
         options.from == "solution" && !options.submission
             ? solution_as_student(project, all_steps)
-            : build_student(Builder(project), project, all_steps, submission, objects.path(), workers);
+            : build_student(Builder(project), project, all_steps, steps, submission, objects.path(), workers);
     results.infrastructure_error = programs.infrastructure_error;
     if (!fs::exists(project.program("render-solution"))) results.infrastructure_error = "render-solution is not built";
     for (const Step& step : steps) {

@@ -18,12 +18,18 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kSeed = 1;
 
 std::vector<Answer> answers_of(const Setting& s, const fs::path& program, const std::vector<Question>& questions,
-                               bool& infrastructure) {
+                               const Limits& limits, bool& infrastructure) {
     std::vector<const Question*> asked;
     for (const Question& q : questions) asked.push_back(&q);
-    const Replies replies = ask(s.sandbox, program, asked, s.limits);
+    const Replies replies = ask(s.sandbox, program, asked, limits);
     infrastructure = infrastructure || replies.infrastructure;
     return replies.answers;
+}
+
+double seconds_for_all(const Setting& s, const std::vector<Question>& questions) {
+    std::vector<const Question*> asked;
+    for (const Question& q : questions) asked.push_back(&q);
+    return ask(s.sandbox, s.project.program("render-solution"), asked, s.limits).ended.cpu_s;
 }
 
 fs::path build(const Setting& s, const Mutant& m) {
@@ -125,22 +131,28 @@ Stage make_stage(const Setting& s, const Step& step) {
                 questions_of(step.number, kSeed),
                 diagnostic_questions(step.number, task_ids(step)),
                 sweeps_of(step.number, kSeed),
-                {}};
+                {},
+                s.limits};
     bool infrastructure = false;
-    stage.solution = answers_of(s, s.project.program("render-solution"), stage.diagnostic, infrastructure);
+    stage.solution = answers_of(s, s.project.program("render-solution"), stage.diagnostic, s.limits, infrastructure);
     if (infrastructure) throw std::runtime_error("render-solution cannot be run: build it first");
+    // What loops costs its limit, several times over. Measured, no run of a right program takes more than 0.3 s or, in
+    // step 4, than all questions together: seven times that is no mistake's slowness.
+    if (!s.project.sanitized())
+        stage.limits.cpu_s = std::min(s.limits.cpu_s, 2 + 4 * seconds_for_all(s, stage.questions));
     return stage;
 }
 
 void examine(const Setting& s, const Stage& stage, Outcome& outcome) {
     const fs::path program = build(s, outcome.mutant);
-    const Bench bench{s.project, s.sandbox, stage.step, s.project.program("render-solution"), program, {},
-                      kSeed,     s.limits,  false};
+    const Bench bench{s.project, s.sandbox,    stage.step, s.project.program("render-solution"), program, {},
+                      kSeed,     stage.limits, false};
     if (outcome.mutant.kind == Mutant::Kind::naive) return chart_naive(bench, stage, outcome);
     Hunt(bench, stage, outcome).run();
     if (outcome.mutant.kind == Mutant::Kind::variant) return;
     bool infrastructure = false;
-    outcome.fingerprint = fingerprint(answers_of(s, program, stage.diagnostic, infrastructure), stage.solution);
+    outcome.fingerprint =
+        fingerprint(answers_of(s, program, stage.diagnostic, stage.limits, infrastructure), stage.solution);
 }
 
 }  // namespace rays::grader

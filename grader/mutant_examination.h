@@ -19,6 +19,7 @@ struct Stage {
     std::vector<Question> questions, diagnostic;
     std::vector<Sweep> sweeps;
     std::vector<Answer> solution;  ///< to the diagnostic questions
+    Limits limits;                 ///< of one run of a mutant
 };
 
 struct Setting {

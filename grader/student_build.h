@@ -19,10 +19,11 @@ struct StudentPrograms {
 };
 
 /// Compiles the files of every step found in `submission` (N_name/x.cpp, or x.cpp on its own level; what is missing is
-/// taken from the starters) and links one program a step and one of all. Objects and programs go to `folder`.
+/// taken from the starters) and links one program for each step of `graded` and one of all. Objects and programs go to
+/// `folder`, but for what is the solution's own: that stays where the build has it.
 StudentPrograms build_student(const Builder& builder, const Project& project, const std::vector<Step>& steps,
-                              const std::filesystem::path& submission, const std::filesystem::path& folder,
-                              int workers);
+                              const std::vector<Step>& graded, const std::filesystem::path& submission,
+                              const std::filesystem::path& folder, int workers);
 
 /// Where the submission has a file of the steps ("1_ray_casting/camera.cpp"); the starter's when it has none.
 std::filesystem::path submitted_file(const Project& project, const std::filesystem::path& submission,
