@@ -37,7 +37,7 @@ struct WholeProgram {
 /// A structure of step 4 with one constant changed.
 struct KnobRun {
     Knob knob;
-    TimedByName timed;
+    TimedByName timed = {};
 };
 
 /// A picture in one setting.
