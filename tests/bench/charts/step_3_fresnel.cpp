@@ -48,7 +48,7 @@ Chart schlick_in_pictures(Laboratory& laboratory) {
                     "The same scenes with `reflection { fresnel }` by either formula, and POV-Ray. Errors are differences "
                     "to POV-Ray's picture, rounded as it is: 0 means the same at every pixel.",
                 .x = {"processor time of the whole process", "s", true},
-                .y = {"error of the picture (RMS)", "share of its own", true},
+                .y = {"error of the picture", "of its RMS", true},
                 .rounds = laboratory.long_rounds()};
     const auto varied = read_knobs(laboratory.settings().bin, 3);
     if (varied.empty()) return chart;

@@ -112,7 +112,7 @@ Series series_of(const std::string& name, const std::string& role, const std::ve
 
 Chart chart_of(const Laboratory& laboratory, bool over_rays) {
     const Both& both = measured(laboratory);
-    Chart chart{.id = "3.tree", .step = 3, .y = {"error of the picture (RMS)", "share of its own", true}, .front = true};
+    Chart chart{.id = "3.tree", .step = 3, .y = {"error of the picture", "of its RMS", true}, .front = true};
     for (const bool by_depth : {true, false}) {
         const std::string knob = by_depth ? "depth" : "threshold";
         chart.series.push_back(series_of("Raysteps, " + knob, by_depth ? "solution" : "float", both.raysteps, by_depth, over_rays));

@@ -50,7 +50,7 @@ Chart samples(Laboratory& laboratory, const std::string& scene_name, const std::
                                 "mean of {} x {} samples, by POV-Ray, one a pixel of a larger frame.",
                                 kRaster.width, kRaster.height, kReference, kReference),
             .x = {"processor time of the whole process", "s", true},
-            .y = {"error of the picture (RMS)", "share of its own", true},
+            .y = {"error of the picture", "of its RMS", true},
             .front = true,
             .series = {ours, theirs},
             .rounds = laboratory.long_rounds()};
