@@ -115,8 +115,8 @@ Chart chart_of(const Laboratory& laboratory, bool over_rays) {
     Chart chart{.id = "3.tree", .step = 3, .y = {"error of the picture", "of its RMS", true}, .front = true};
     for (const bool by_depth : {true, false}) {
         const std::string knob = by_depth ? "depth" : "threshold";
-        chart.series.push_back(series_of("Raysteps, " + knob, by_depth ? "solution" : "float", both.raysteps, by_depth, over_rays));
-        chart.series.push_back(series_of("POV-Ray, " + knob, by_depth ? "povray" : "naive", both.povray, by_depth, over_rays));
+        chart.series.push_back(series_of("Raysteps, " + knob, "solution", both.raysteps, by_depth, over_rays));
+        chart.series.push_back(series_of("POV-Ray, " + knob, "povray", both.povray, by_depth, over_rays));
     }
     chart.rounds = laboratory.long_rounds();
     return chart;

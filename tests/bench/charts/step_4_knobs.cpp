@@ -7,12 +7,12 @@ namespace rays::bench {
 namespace {
 
 struct ShownKnob {
-    const char *knob, *series, *unit, *role;
+    const char *knob, *series, *label, *role;  ///< points with the same label would be linked
 };
-constexpr ShownKnob kKnobs[] = {{"grid-density", "grid: cells a body", "cells a body", "grid"},
-                                {"octree-leaf", "octree: most bodies in a leaf", "in a leaf", "octree"},
-                                {"octree-depth", "octree: most levels", "levels", "naive"},
-                                {"bvh-leaf", "bvh: most bodies in a leaf", "in a leaf", "solution"}};
+constexpr ShownKnob kKnobs[] = {{"grid-density", "grid: cells a body", "{} cells", "grid"},
+                                {"octree-leaf", "octree: most bodies in a leaf", "leaf {}", "octree"},
+                                {"octree-depth", "octree: most levels", "depth {}", "naive"},
+                                {"bvh-leaf", "bvh: most bodies in a leaf", "bvh {}", "solution"}};
 
 constexpr double kBodies = 100'000;
 
@@ -40,7 +40,7 @@ Chart knobs_with(Laboratory& laboratory, const std::string& bodies) {
         for (const KnobRun& run : laboratory.knobs()) {
             if (run.knob.name != shown.knob) continue;
             series.points.push_back(memory_and_time(run.timed.at("nearest/bounced/" + set + structure), run.timed.at("build/" + set + structure),
-                                                    run.knob.value, fmt::format("{} {}", run.knob.value, shown.unit)));
+                                                    fmt::format(fmt::runtime(shown.label), run.knob.value), fmt::format("{}: {}", shown.series, run.knob.value)));
         }
         if (!series.points.empty()) chart.series.push_back(std::move(series));
     }

@@ -156,7 +156,7 @@ Chart beside_embree(Laboratory& laboratory) {
 }
 
 Chart structures_in_scenes(Laboratory& laboratory) {
-    constexpr int kSide = 256;
+    constexpr int kSide = 128;
     const TemporaryFolder temporary;
     const auto& folder = temporary.path();
     Series grid{.name = "grid", .role = "grid"}, octree{.name = "octree", .role = "octree"};

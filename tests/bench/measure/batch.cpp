@@ -6,7 +6,7 @@
 namespace rays::bench {
 namespace {
 
-constexpr int kSide = 512, kTile = 32, kEvery = 4;
+constexpr int kSide = 512, kTile = 32, kEvery = 8;
 
 Vec3 in_float(const Vec3& v) { return Vec3(glm::vec3(v)); }
 
