@@ -139,7 +139,7 @@ void add_structures(std::size_t most) {
         add_stage(fmt::format("spheres/{}", n), n, [n] { return random_spheres(n); });
         add_stage(fmt::format("triangles/{}", n), n, [n] { return random_triangles(n); });
     }
-    add_stage("flake", 820 * 1008, tessellated_flake);
+    add_stage("flake", 820 * 1008, [] { return tessellated_flake(); });
 }
 
 }  // namespace rays::bench
