@@ -48,11 +48,16 @@ void mark_front(Chart& chart) {
 json to_json(const Chart& chart, const std::string& created, int rounds) {
     json all = json::array();
     for (const Series& s : chart.series) all.push_back(series(s, chart.kind));
-    json result{
-        {"id", chart.id},       {"step", chart.step}, {"kind", chart.kind == ChartKind::scatter ? "scatter" : "ratios"},
-        {"title", chart.title}, {"text", chart.text}, {"created", created},
-        {"rounds", chart.rounds > 0 ? chart.rounds : rounds},     {"x", axis(chart.x)}, {"front", chart.front},
-        {"series", all}};
+    json result{{"id", chart.id},
+                {"step", chart.step},
+                {"kind", chart.kind == ChartKind::scatter ? "scatter" : "ratios"},
+                {"title", chart.title},
+                {"text", chart.text},
+                {"created", created},
+                {"rounds", chart.rounds > 0 ? chart.rounds : rounds},
+                {"x", axis(chart.x)},
+                {"front", chart.front},
+                {"series", all}};
     if (chart.kind == ChartKind::scatter) result["y"] = axis(chart.y);
     return result;
 }

@@ -9,11 +9,12 @@
 //          "points": [{"x", "x_low", "x_high", "y", "y_low", "y_high", "label", "settings", "front": true}]}]}]}
 //
 // role: "solution" | "float" | "student" | "naive" | "povray" | "embree" | "grid" | "octree".
-// scatter: x is a cost, y an error or another cost, with y_low and y_high when it was measured in rounds; y = 0 means that no error was found and lies on the floor of a logarithmic axis.
-// `joined` points are one method at several settings of its knob, in order. `front` of a point: no other point of the
-// chart is better in both; of a chart: its front is drawn. Points of one label in several series are
-// the same thing done in different ways, and are linked. ratios: one row a point, x is a ratio, y is absent.
-// Lows and highs bound the median with 95 % confidence (statistics.h).
+// scatter: x is a cost, y an error or another cost, with y_low and y_high when it was measured in rounds; y = 0 means
+// that no error was found and lies on the floor of a logarithmic axis. `joined` points are one method at several
+// settings of its knob, in order. `front` of a point: no other point of the chart is better in both; of a chart: its
+// front is drawn. Points of one label in several series are the same thing done in different ways, and are linked.
+// ratios: one row a point, x is a ratio, y is absent. Lows and highs bound the median with 95 % confidence
+// (statistics.h).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -54,9 +55,9 @@ struct Chart {
     ChartKind kind = ChartKind::scatter;
     std::string title = "", text = "";
     Axis x = {}, y = {};
-    bool front = false;  ///< does a front make sense? Only when all points answer the same question.
+    bool front = false;               ///< does a front make sense? Only when all points answer the same question.
     std::vector<Series> series = {};  ///< without any there is nothing to be drawn, and the chart is left out
-    int rounds = 0;              ///< 0: as many as the laboratory's methods
+    int rounds = 0;                   ///< 0: as many as the laboratory's methods
 };
 
 /// Sets Point::on_front from all points of the chart, when it has a front.

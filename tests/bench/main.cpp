@@ -66,7 +66,8 @@ int main(int argc, char** argv) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("--rounds", settings.rounds, "how often methods are measured; six give a 95 % interval")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--long-rounds", settings.long_rounds, "the same of whole pictures and of structures over many bodies")
+    app.add_option("--long-rounds", settings.long_rounds,
+                   "the same of whole pictures and of structures over many bodies")
         ->check(CLI::Range(1, 1000));
     app.add_flag("--large", settings.large, "also what takes minutes: 10^7 bodies, the scenes of scenes/bench");
     app.add_option("--seconds", settings.seconds, "least time of one method in one round")

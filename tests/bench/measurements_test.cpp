@@ -37,9 +37,11 @@ TEST(Measurements, MeansAndMediansAreNoRuns) {
 
 TEST(Measurements, RefusesWhatIsNoMeasurement) {
     TimedByName timed;
-    for (const std::string text : {"", "{}", "nonsense", "[1]"}) EXPECT_THROW(add_runs(timed, text), std::runtime_error) << text;
+    for (const std::string text : {"", "{}", "nonsense", "[1]"})
+        EXPECT_THROW(add_runs(timed, text), std::runtime_error) << text;
     EXPECT_THROW(add_runs(timed, document(run("a", 1)) + "{"), std::runtime_error) << "the second round broke off";
-    EXPECT_THROW(add_runs(timed, R"({"benchmarks":[{"name":"a","time_unit":"us","cpu_time":1,"rays":1}]})"), std::runtime_error);
+    EXPECT_THROW(add_runs(timed, R"({"benchmarks":[{"name":"a","time_unit":"us","cpu_time":1,"rays":1}]})"),
+                 std::runtime_error);
 }
 
 TEST(Measurements, RatiosAreThoseOfTheRounds) {

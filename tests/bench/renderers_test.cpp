@@ -60,7 +60,8 @@ TEST(Averaged, TakesTheMeanOfBlocks) {
 }
 
 TEST(Statistics, OfPovrayNameTheRays) {
-    EXPECT_EQ(povray_rays("Pixels:  19200   Samples: 0\nRays:            127563   Saved:   0\nShadow Ray Tests: 5\n"), 127563);
+    EXPECT_EQ(povray_rays("Pixels:  19200   Samples: 0\nRays:            127563   Saved:   0\nShadow Ray Tests: 5\n"),
+              127563);
     EXPECT_THROW(povray_rays("Shadow Rays:  12\n"), std::runtime_error);
 }
 
@@ -78,8 +79,10 @@ TEST(Commands, AskBothForTheSamePictureInOneThread) {
     };
     const Command ours = raysteps_command("render-solution", asked, "/there", "o.exr", {"--samples", "4"});
     const Command theirs = povray_command(asked, "/there", "p.exr", {"+AM1"});
-    for (const std::string word : {"/scenes/a.pov", "40", "30", "1", "o.exr", "4"}) EXPECT_TRUE(has(ours, word)) << word;
-    for (const std::string word : {"+I/scenes/a.pov", "+W40", "+H30", "+WT1", "+Op.exr"}) EXPECT_TRUE(has(theirs, word)) << word;
+    for (const std::string word : {"/scenes/a.pov", "40", "30", "1", "o.exr", "4"})
+        EXPECT_TRUE(has(ours, word)) << word;
+    for (const std::string word : {"+I/scenes/a.pov", "+W40", "+H30", "+WT1", "+Op.exr"})
+        EXPECT_TRUE(has(theirs, word)) << word;
     EXPECT_EQ(theirs.argv.back(), "+AM1") << "the last word counts";
     EXPECT_EQ(ours.folder, theirs.folder);
 }

@@ -112,8 +112,10 @@ TEST(Contenders, AnswerAlike) {
         for (const Contender& contender : other_contenders()) {
             const auto structure = contender.build(bodies);
             // In float: a few rays of ten thousand that graze.
-            EXPECT_LE(disagreement(bounced, structure->distances(bounced)).all(), bounced.rays.size() / 1000) << contender.name;
-            EXPECT_NEAR(double(structure->occluded(bounced)), double(blocked), double(blocked) / 1000) << contender.name;
+            EXPECT_LE(disagreement(bounced, structure->distances(bounced)).all(), bounced.rays.size() / 1000)
+                << contender.name;
+            EXPECT_NEAR(double(structure->occluded(bounced)), double(blocked), double(blocked) / 1000)
+                << contender.name;
             EXPECT_GT(structure->bytes(), bodies.count) << contender.name;
         }
     }

@@ -41,15 +41,16 @@ Chart fresnel_formulas(Laboratory& laboratory) {
 }
 
 Chart schlick_in_pictures(Laboratory& laboratory) {
-    Chart chart{.id = "3.schlick",
-                .step = 3,
-                .title = "Schlick's formula in pictures",
-                .text =
-                    "The same scenes with `reflection { fresnel }` by either formula, and POV-Ray. Errors are differences "
-                    "to POV-Ray's picture, rounded as it is: 0 means the same at every pixel.",
-                .x = {"processor time of the whole process", "s", true},
-                .y = {"error of the picture", "of its RMS", true},
-                .rounds = laboratory.long_rounds()};
+    Chart chart{
+        .id = "3.schlick",
+        .step = 3,
+        .title = "Schlick's formula in pictures",
+        .text =
+            "The same scenes with `reflection { fresnel }` by either formula, and POV-Ray. Errors are differences "
+            "to POV-Ray's picture, rounded as it is: 0 means the same at every pixel.",
+        .x = {"processor time of the whole process", "s", true},
+        .y = {"error of the picture", "of its RMS", true},
+        .rounds = laboratory.long_rounds()};
     const auto varied = read_knobs(laboratory.settings().bin, 3);
     if (varied.empty()) return chart;
     const TemporaryFolder temporary;
@@ -60,7 +61,8 @@ Chart schlick_in_pictures(Laboratory& laboratory) {
     for (const std::string name : kScenes) {
         const Picture picture{laboratory.scene("3_recursion/" + name + ".pov"), kRaster};
         const auto tried = laboratory.try_all(
-            {{raysteps_command(laboratory.program("render-solution"), picture, folder, "exact.exr"), folder / "exact.exr"},
+            {{raysteps_command(laboratory.program("render-solution"), picture, folder, "exact.exr"),
+              folder / "exact.exr"},
              {raysteps_command(varied.at(0).program, picture, folder, "schlick.exr"), folder / "schlick.exr"},
              {povray_command(picture, folder, "povray.exr"), folder / "povray.exr"}},
             laboratory.long_rounds());

@@ -26,10 +26,20 @@ struct Knobs {
 };
 
 const std::vector<Knobs>& all_knobs() {
-    static const std::vector<Knobs> knobs{
-        {1, 0, true}, {2, 0, true}, {3, 0, true}, {4, 0, true}, {5, 0, true}, {7, 0, true}, {10, 0, true},
-        {kDeepest, 0.3, false}, {kDeepest, 0.1, false}, {kDeepest, 0.03, false}, {kDeepest, 0.01, false},
-        {kDeepest, 1.0 / 256, false}, {kDeepest, 0.001, false}, {kDeepest, 0.0001, false}};
+    static const std::vector<Knobs> knobs{{1, 0, true},
+                                          {2, 0, true},
+                                          {3, 0, true},
+                                          {4, 0, true},
+                                          {5, 0, true},
+                                          {7, 0, true},
+                                          {10, 0, true},
+                                          {kDeepest, 0.3, false},
+                                          {kDeepest, 0.1, false},
+                                          {kDeepest, 0.03, false},
+                                          {kDeepest, 0.01, false},
+                                          {kDeepest, 1.0 / 256, false},
+                                          {kDeepest, 0.001, false},
+                                          {kDeepest, 0.0001, false}};
     return knobs;
 }
 
@@ -66,7 +76,8 @@ Both measure(const Laboratory& laboratory) {
     const auto picture = [&](const std::string& settings, const std::string& name) {
         return Picture{with_settings(scene, settings, folder, name), kRaster};
     };
-    run_or_throw(povray_command(picture(fmt::format("max_trace_level {} adc_bailout 0", kDeepest), "whole"), folder, "whole.exr"));
+    run_or_throw(povray_command(picture(fmt::format("max_trace_level {} adc_bailout 0", kDeepest), "whole"), folder,
+                                "whole.exr"));
     const RgbImage truth = load_rgb_exr(folder / "whole.exr");
 
     std::vector<Try> tries;
@@ -74,8 +85,9 @@ Both measure(const Laboratory& laboratory) {
     for (const Knobs& knobs : all_knobs()) {
         const std::string name = fmt::format("try-{}", pictures.size());
         pictures.push_back(picture(knobs.text(), name));
-        tries.push_back({raysteps_command(laboratory.program("render-solution"), pictures.back(), folder, name + "-rays.exr"),
-                         folder / (name + "-rays.exr")});
+        tries.push_back(
+            {raysteps_command(laboratory.program("render-solution"), pictures.back(), folder, name + "-rays.exr"),
+             folder / (name + "-rays.exr")});
         tries.push_back({povray_command(pictures.back(), folder, name + "-pov.exr"), folder / (name + "-pov.exr")});
     }
     const auto tried = laboratory.try_all(tries, laboratory.long_rounds());
@@ -130,7 +142,8 @@ Chart tree_by_time(Laboratory& laboratory) {
     chart.title = "Glass spheres: where the tree of rays is cut, against time";
     chart.text = fmt::format(
         "max_trace_level with nothing else pruned, and adc_bailout at level {0}, 160 x 120 pixels, whole processes. "
-        "Errors are differences to POV-Ray's picture at level {0} with nothing pruned. Depth alone costs exponentially; "
+        "Errors are differences to POV-Ray's picture at level {0} with nothing pruned. Depth alone costs "
+        "exponentially; "
         "the threshold leaves out only branches that carry nothing.",
         kDeepest);
     chart.x = {"processor time of the whole process", "s", true};
@@ -142,7 +155,8 @@ Chart tree_by_rays(Laboratory& laboratory) {
     chart.id = "3.tree.rays";
     chart.title = "Glass spheres: where the tree of rays is cut, against rays";
     chart.text =
-        "The same pictures over the number of rays, shadow rays left out. POV-Ray's statistics also count the rays that "
+        "The same pictures over the number of rays, shadow rays left out. POV-Ray's statistics also count the rays "
+        "that "
         "it then does not trace.";
     chart.x = {"rays a pixel", "", true};
     return chart;

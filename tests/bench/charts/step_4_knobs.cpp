@@ -24,23 +24,26 @@ Point memory_and_time(const Timed& rays, const Timed& build, const std::string& 
 
 Chart knobs_with(Laboratory& laboratory, const std::string& bodies) {
     const std::string set = fmt::format("{}/{}/", bodies, static_cast<int>(kBodies));
-    Chart chart{.id = "4.knobs." + bodies,
-                .step = 4,
-                .title = fmt::format("Knobs of the structures, among 100 000 random {}", bodies),
-                .text =
-                    "The same rays (one diffuse bounce, nearest hit) through each structure with one of its constants changed. "
-                    "Below and left is better: less memory, less time.",
-                .x = {"memory of the structure, a body", "bytes", true},
-                .y = {"CPU time of a ray", "ns", true},
-                .front = true,
-                .rounds = laboratory.long_rounds()};
+    Chart chart{
+        .id = "4.knobs." + bodies,
+        .step = 4,
+        .title = fmt::format("Knobs of the structures, among 100 000 random {}", bodies),
+        .text =
+            "The same rays (one diffuse bounce, nearest hit) through each structure with one of its constants changed. "
+            "Below and left is better: less memory, less time.",
+        .x = {"memory of the structure, a body", "bytes", true},
+        .y = {"CPU time of a ray", "ns", true},
+        .front = true,
+        .rounds = laboratory.long_rounds()};
     for (const ShownKnob& shown : kKnobs) {
         Series series{.name = shown.series, .role = shown.role, .joined = true};
         const std::string structure = std::string(shown.knob).substr(0, std::string(shown.knob).find('-'));
         for (const KnobRun& run : laboratory.knobs()) {
             if (run.knob.name != shown.knob) continue;
-            series.points.push_back(memory_and_time(run.timed.at("nearest/bounced/" + set + structure), run.timed.at("build/" + set + structure),
-                                                    fmt::format(fmt::runtime(shown.label), run.knob.value), fmt::format("{}: {}", shown.series, run.knob.value)));
+            series.points.push_back(memory_and_time(run.timed.at("nearest/bounced/" + set + structure),
+                                                    run.timed.at("build/" + set + structure),
+                                                    fmt::format(fmt::runtime(shown.label), run.knob.value),
+                                                    fmt::format("{}: {}", shown.series, run.knob.value)));
         }
         if (!series.points.empty()) chart.series.push_back(std::move(series));
     }

@@ -38,15 +38,20 @@ Chart samples(Laboratory& laboratory, const std::string& scene_name, const std::
     Series theirs{.name = "POV-Ray", .role = "povray", .joined = true};
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const std::string grid = fmt::format("{0} x {0}", sides[i]);
-        ours.points.push_back({.x = tried[2 * i].cpu_s, .y = picture_error(tried[2 * i].image, truth), .label = grid,
+        ours.points.push_back({.x = tried[2 * i].cpu_s,
+                               .y = picture_error(tried[2 * i].image, truth),
+                               .label = grid,
                                .settings = fmt::format("--samples {}", sides[i] * sides[i])});
-        theirs.points.push_back({.x = tried[2 * i + 1].cpu_s, .y = picture_error(tried[2 * i + 1].image, truth), .label = grid,
+        theirs.points.push_back({.x = tried[2 * i + 1].cpu_s,
+                                 .y = picture_error(tried[2 * i + 1].image, truth),
+                                 .label = grid,
                                  .settings = sides[i] == 1 ? "-A" : fmt::format("+AM1 +A0.0 +R{} -J", sides[i])});
     }
     return {.id = id,
             .step = 4,
             .title = title,
-            .text = fmt::format("Regular grids of samples in every pixel, {} x {} pixels, whole processes, one thread. Errors are differences to the "
+            .text = fmt::format("Regular grids of samples in every pixel, {} x {} pixels, whole processes, one thread. "
+                                "Errors are differences to the "
                                 "mean of {} x {} samples, by POV-Ray, one a pixel of a larger frame.",
                                 kRaster.width, kRaster.height, kReference, kReference),
             .x = {"processor time of the whole process", "s", true},
@@ -59,7 +64,8 @@ Chart samples(Laboratory& laboratory, const std::string& scene_name, const std::
 }  // namespace
 
 Chart samples_of_stadium(Laboratory& laboratory) {
-    return samples(laboratory, "4_partitioning/teapot_in_a_stadium.pov", "4.samples.stadium", "Samples a pixel: the teapot in the stadium");
+    return samples(laboratory, "4_partitioning/teapot_in_a_stadium.pov", "4.samples.stadium",
+                   "Samples a pixel: the teapot in the stadium");
 }
 
 Chart samples_of_checkers(Laboratory& laboratory) {

@@ -3,9 +3,9 @@
 
 #include <array>
 #include <optional>
+#include <stdexcept>
 
 #include "charts.h"
-#include "support/files.h"
 
 namespace rays::bench {
 namespace {
@@ -75,7 +75,8 @@ Chart growth_of(Laboratory& laboratory, const std::string& id, const Axis& y, Ma
 Point ratio_to_embree(const std::string& set, const Timed& ours, const Timed& embree) {
     return {.x = ratio_of_times(embree, ours),
             .label = set,
-            .settings = fmt::format("{:.3g} and {:.3g} Mrays/s", mrays(spread(ours.ns).median), mrays(spread(embree.ns).median))};
+            .settings = fmt::format("{:.3g} and {:.3g} Mrays/s", mrays(spread(ours.ns).median),
+                                    mrays(spread(embree.ns).median))};
 }
 
 /// How often Embree answers otherwise than the bvh, over all sets.
@@ -109,20 +110,25 @@ Chart growth_with_spheres(Laboratory& laboratory) { return growth(laboratory, "s
 Chart growth_with_triangles(Laboratory& laboratory) { return growth(laboratory, "triangles"); }
 
 Chart growth_of_build(Laboratory& laboratory) {
-    Chart chart = growth_of(laboratory, "4.build", {"CPU time of the build, a body", "us", true}, [](double n, const Timed& t) {
-        std::vector<double> us;
-        for (const double ns : t.ns) us.push_back(ns / 1e3 / n);
-        return point_of(exactly(n), spread(us), "", fmt::format("{}; {:.3g} s on the clock", t.settings, t.counter("seconds")));
-    });
+    Chart chart =
+        growth_of(laboratory, "4.build", {"CPU time of the build, a body", "us", true}, [](double n, const Timed& t) {
+            std::vector<double> us;
+            for (const double ns : t.ns) us.push_back(ns / 1e3 / n);
+            return point_of(exactly(n), spread(us), "",
+                            fmt::format("{}; {:.3g} s on the clock", t.settings, t.counter("seconds")));
+        });
     chart.title = "Building among more and more bodies";
     chart.text = "Of all threads together. Level lines grow linearly.";
     return chart;
 }
 
 Chart growth_of_memory(Laboratory& laboratory) {
-    Chart chart = growth_of(laboratory, "4.memory", {"memory of the structure, a body", "bytes", true}, [](double n, const Timed& t) {
-        return Point{.x = exactly(n), .y = t.counter("bytes") / n, .settings = fmt::format("{}; {:.3g} MB", t.settings, t.counter("bytes") / 1e6)};
-    });
+    Chart chart = growth_of(
+        laboratory, "4.memory", {"memory of the structure, a body", "bytes", true}, [](double n, const Timed& t) {
+            return Point{.x = exactly(n),
+                         .y = t.counter("bytes") / n,
+                         .settings = fmt::format("{}; {:.3g} MB", t.settings, t.counter("bytes") / 1e6)};
+        });
     chart.title = "Memory among more and more bodies";
     chart.text =
         "What stays allocated after the build, the bodies themselves not counted; of Embree, what it says that it "
@@ -137,52 +143,26 @@ Chart beside_embree(Laboratory& laboratory) {
                 .step = 4,
                 .kind = ChartKind::ratios,
                 .title = "Rays a second as a share of Embree's",
-                .text = "One ray a call, one thread, the same bodies and rays; Embree in float, ours in double with the "
-                        "point and the normal of every hit. " +
-                        disagreements(timed),
+                .text =
+                    "One ray a call, one thread, the same bodies and rays; Embree in float, ours in double with the "
+                    "point and the normal of every hit. " +
+                    disagreements(timed),
                 .x = {"our rate / Embree's", "", true},
                 .rounds = laboratory.long_rounds()};
     for (const char* name : {"bvh", "octree", "grid"}) {
         Series series{.name = name, .role = name == std::string("bvh") ? "solution" : name};
-        for (const std::string bodies : {"flake", "triangles/1000000", "triangles/100000", "triangles/10000", "spheres/1000000", "spheres/100000"})
+        for (const std::string bodies :
+             {"flake", "triangles/1000000", "triangles/100000", "triangles/10000", "spheres/1000000", "spheres/100000"})
             for (const std::string query : {"nearest/primary/", "nearest/bounced/", "any/primary/", "any/bounced/"}) {
-                const auto ours = timed.find(query + bodies + "/" + name), embree = timed.find(query + bodies + "/embree");
+                const auto ours = timed.find(query + bodies + "/" + name),
+                           embree = timed.find(query + bodies + "/embree");
                 if (ours == timed.end() || embree == timed.end()) continue;
-                series.points.push_back(ratio_to_embree(bodies + ", " + query.substr(0, query.size() - 1), ours->second, embree->second));
+                series.points.push_back(
+                    ratio_to_embree(bodies + ", " + query.substr(0, query.size() - 1), ours->second, embree->second));
             }
         if (!series.points.empty()) chart.series.push_back(std::move(series));
     }
     return chart;
-}
-
-Chart structures_in_scenes(Laboratory& laboratory) {
-    constexpr int kSide = 128;
-    const TemporaryFolder temporary;
-    const auto& folder = temporary.path();
-    Series grid{.name = "grid", .role = "grid"}, octree{.name = "octree", .role = "octree"};
-    for (const std::string& name : scenes_of(laboratory.scene("4_partitioning"))) {
-        const Picture picture{laboratory.scene("4_partitioning/" + name + ".pov"), {kSide, kSide}};
-        std::vector<Command> commands;
-        for (const char* structure : {"bvh", "grid", "octree"})
-            commands.push_back(raysteps_command(laboratory.program("render-solution"), picture, folder, "x.exr", {"--partition", structure}));
-        const auto times = time_in_turns(commands, laboratory.long_rounds());
-        const auto point = [&](std::size_t i) {
-            const PairedTimes pair = paired(times[i], times[0]);
-            return Point{.x = pair.ratio, .label = name, .settings = fmt::format("{:.3g} s, bvh {:.3g} s", pair.first_s.median, pair.second_s.median)};
-        };
-        grid.points.push_back(point(1));
-        octree.points.push_back(point(2));
-    }
-    return {.id = "4.scenes",
-            .step = 4,
-            .kind = ChartKind::ratios,
-            .title = "Grid and octree in the scenes of step 4",
-            .text = fmt::format("Processor time of the whole process at {0} x {0} pixels over that with the bvh: above 1 the bvh is faster. "
-                                "The teapot in the stadium is all in one cell of the grid.",
-                                kSide),
-            .x = {"time / time with the bvh", "", true},
-            .series = {grid, octree},
-            .rounds = laboratory.long_rounds()};
 }
 
 }  // namespace rays::bench

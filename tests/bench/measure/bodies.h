@@ -30,8 +30,9 @@ struct Bodies {
     bool are_spheres() const { return !scene.spheres.empty(); }
 };
 
-/// Spheres of one size, or triangles with equal sides, anywhere in a cube of side 1. Together they cover a view along an
-/// axis once on average, however many there are: a line through the cube meets about one. The same for the same count.
+/// Spheres of one size, or triangles with equal sides, anywhere in a cube of side 1. Together they cover a view along
+/// an axis once on average, however many there are: a line through the cube meets about one. The same for the same
+/// count.
 Bodies random_spheres(std::size_t count);
 Bodies random_triangles(std::size_t count);
 

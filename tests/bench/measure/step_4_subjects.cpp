@@ -126,7 +126,8 @@ void add_stage(const std::string& bodies, std::size_t size, std::function<Bodies
                 add_nearest("nearest" + what + contender.name, stage, contender, set);
         }
         for (const Contender& contender : contenders)
-            if (takes_part(contender) && size >= kFewestForAny) add_any("any" + what + contender.name, stage, contender, set);
+            if (takes_part(contender) && size >= kFewestForAny)
+                add_any("any" + what + contender.name, stage, contender, set);
     }
     for (const Contender& contender : contenders)
         if (contender.name != "none") add_build(fmt::format("build/{}/{}", bodies, contender.name), stage, contender);
