@@ -5,10 +5,16 @@ R.decade = (value, round) => 10 ** round(Math.log10(value));
 
 R.plotFont = (pixels) => `${pixels}px ${getComputedStyle(document.body).fontFamily}`;
 
+/** 2·10³: the ticks between whole decades have 2 or 5 before the power. */
+R.inPowers = (v) => {
+    const exponent = Math.floor(Math.log10(v) + 1e-9), digit = Math.round(v / 10 ** exponent);
+    return `${digit === 1 ? "" : `${digit}·`}10${R.superscript(exponent)}`;
+};
+
 /** uPlot's options of one axis. size in CSS pixels; `zero`: the place on a logarithmic axis that stands for 0. */
 R.plotAxis = (label, log, size, zero = null) => {
     const font = R.plotFont(12), ink = R.color("--ink-2");
-    const tenPower = (v) => (zero !== null && v <= zero * 1.001 ? "0" : v >= 0.01 && v <= 1000 ? R.number(v, 2) : `10${R.superscript(Math.round(Math.log10(v)))}`);
+    const tenPower = (v) => (zero !== null && v <= zero * 1.001 ? "0" : v >= 0.01 && v <= 1000 ? R.number(v, 2) : R.inPowers(v));
     const decades = (u, i, min, max) => {
         const from = Math.ceil(Math.log10(min) - 1e-9), to = Math.floor(Math.log10(max) + 1e-9);
         const stride = Math.max(1, Math.ceil((to - from) / 8));

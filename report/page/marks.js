@@ -1,5 +1,5 @@
 // The marks of a scatter: a shape for each series, a colour for each role; in the legend and on the canvas alike.
-R.roles = ["solution", "float", "student", "naive", "povray"];
+R.roles = ["solution", "float", "student", "naive", "povray", "embree", "grid", "octree"];
 
 /** Outlines around (0, 0) in units of the mark's radius, closed. */
 R.markShapes = [

@@ -1,8 +1,13 @@
-// Error against time: points with their settings, methods joined over their knob, and the front that nothing beats.
+// Error against time, or one cost against another: points with their settings, methods joined over their knob, and the
+// front that nothing beats.
 R.scatterPoints = (chart) => R.list(chart.series).map(R.object).flatMap((s, index) => R.list(s.points).map(R.object)
     .filter((p) => R.isNumber(p.x) && p.x > 0 && R.isNumber(p.y) && p.y >= 0)
     .map((p) => ({series: index, name: R.text(s.name), role: R.roles.includes(s.role) ? s.role : "naive", joined: s.joined === true, x: p.x, y: p.y,
-        low: R.isNumber(p.x_low) && p.x_low > 0 ? p.x_low : p.x, high: R.isNumber(p.x_high) ? p.x_high : p.x, label: R.text(p.label), settings: R.text(p.settings), front: p.front === true})));
+        low: R.isNumber(p.x_low) && p.x_low > 0 ? p.x_low : p.x, high: R.isNumber(p.x_high) ? p.x_high : p.x,
+        yLow: R.isNumber(p.y_low) && p.y_low > 0 ? p.y_low : p.y, yHigh: R.isNumber(p.y_high) ? p.y_high : p.y, label: R.text(p.label), settings: R.text(p.settings), front: p.front === true})));
+
+/** " (590 to 640)", or nothing where there is no interval. */
+R.interval = (low, high) => (low < high ? ` (${R.number(low)} to ${R.number(high)})` : "");
 
 R.withUnit = (axis) => [R.text(axis.label), R.text(axis.unit)].filter(Boolean).join(", ");
 
@@ -10,8 +15,8 @@ R.scatter = (chart) => {
     const title = R.text(chart.title), xAxis = R.object(chart.x), yAxis = R.object(chart.y);
     const points = R.scatterPoints(chart);
     if (points.length === 0) return R.h("figure", {class: "chart"}, R.h("figcaption", {text: title}), R.h("p", {class: "message", text: "Nothing was measured."}));
-    const errors = points.map((p) => p.y).filter((y) => y > 0);
-    const hasZero = errors.length < points.length;
+    const errors = points.flatMap((p) => [p.y, p.yLow, p.yHigh]).filter((y) => y > 0);
+    const hasZero = points.some((p) => p.y === 0);
     const least = errors.length ? Math.min(...errors) : 1e-16, most = errors.length ? Math.max(...errors) : 1e-15;
     // An error of 0 was found nowhere on a logarithm: it lies on the floor, one decade below the least.
     const floor = hasZero ? R.decade(least, Math.floor) / 10 : least / 3;
@@ -27,8 +32,8 @@ R.scatter = (chart) => {
         if (!point) return readout.replaceChildren(R.h("span", {class: "at", text: "Point at a mark for its settings"}));
         if (plot) ["left", "top"].forEach((side, i) => ring.style.setProperty(side, `${plot.valToPos(i ? point.shownY : point.x, i ? "y" : "x")}px`));
         readout.replaceChildren(R.h("span", {class: "at", text: `${point.name}: ${point.settings}`}),
-            R.h("span", {}, R.h("b", {text: `${R.number(point.x)} ${R.text(xAxis.unit)}`}), ` (${R.number(point.low)} to ${R.number(point.high)})`),
-            R.h("span", {}, "error ", R.h("b", {text: R.number(point.y, 2)})), point.front && R.h("span", {text: "on the front"}) || "");
+            R.h("span", {}, R.h("b", {text: `${R.number(point.x)} ${R.text(xAxis.unit)}`}), R.interval(point.low, point.high)),
+            R.h("span", {}, `${R.text(yAxis.label)} `, R.h("b", {text: [R.number(point.y, point.yLow < point.yHigh ? 3 : 2), R.text(yAxis.unit)].filter(Boolean).join(" ")}), R.interval(point.yLow, point.yHigh)), point.front && R.h("span", {text: "on the front"}) || "");
     };
     read(null);
 
@@ -58,7 +63,7 @@ R.scatter = (chart) => {
         read(inOrder[at]);
     });
     const legend = R.h("ul", {class: "legend"}, ...new Map(points.map((p) => [p.series, R.h("li", {}, R.legendMark(p.role, p.series), R.h("span", {text: p.name}))])).values(),
-        chart.front === true && R.h("li", {}, R.h("i", {class: "front-swatch", "aria-hidden": "true"}), R.h("span", {text: "front: nothing is both faster and more accurate"})));
+        chart.front === true && R.h("li", {}, R.h("i", {class: "front-swatch", "aria-hidden": "true"}), R.h("span", {text: "front: nothing is better in both"})));
     return R.h("figure", {class: "chart speed-chart"}, R.h("figcaption", {text: title}), R.text(chart.text) && R.h("p", {class: "says", text: R.text(chart.text)}), legend, holder, readout, R.scatterTable(points, xAxis, yAxis));
 };
 
@@ -66,7 +71,7 @@ R.scatterTable = (points, xAxis, yAxis) => R.h("details", {class: "numbers"}, R.
     R.h("div", {class: "scroll", tabindex: "0"}, R.h("table", {},
         R.h("thead", {}, R.h("tr", {}, ...["Method", R.withUnit(xAxis), "95 % interval", R.withUnit(yAxis), "Front", "Settings"].map((text) => R.h("th", {scope: "col", text})))),
         R.h("tbody", {}, ...points.map((p) => R.h("tr", {}, R.h("th", {scope: "row", text: p.label ? `${p.name}: ${p.label}` : p.name}), R.h("td", {text: R.number(p.x)}), R.h("td", {text: `${R.number(p.low)} to ${R.number(p.high)}`}),
-            R.h("td", {text: R.number(p.y, 2)}), R.h("td", {text: p.front ? "yes" : ""}), R.h("td", {class: "settings", text: p.settings})))))));
+            R.h("td", {text: `${R.number(p.y, p.yLow < p.yHigh ? 3 : 2)}${R.interval(p.yLow, p.yHigh)}`}), R.h("td", {text: p.front ? "yes" : ""}), R.h("td", {class: "settings", text: p.settings})))))));
 
 R.scatterOptions = ({chart, points, range, width}) => {
     const paint = (u) => {
@@ -89,6 +94,7 @@ R.scatterOptions = ({chart, points, range, width}) => {
         for (const p of points) {
             const [x, y] = place(p);
             line([[u.valToPos(p.low, "x", true), y], [u.valToPos(p.high, "x", true), y]], R.color(`--series-${p.role}`), 1.6);
+            if (p.yLow < p.yHigh) line([[x, u.valToPos(p.yLow, "y", true)], [x, u.valToPos(p.yHigh, "y", true)]], R.color(`--series-${p.role}`), 1.6);
             R.paintMark(ctx, p.role, p.series, x, y, 4.2 * d);
         }
         R.paintLabels(ctx, bbox, [...R.groupBy(points.filter((p) => p.label), (p) => p.label).values()].map(([p]) => ({x: place(p)[0], y: place(p)[1], text: p.label})));

@@ -13,6 +13,10 @@ json point(const Point& p, ChartKind kind) {
     json result{{"x", p.x.median},  {"x_low", p.x.low},       {"x_high", p.x.high},
                 {"label", p.label}, {"settings", p.settings}, {"front", p.on_front}};
     if (kind == ChartKind::scatter) result["y"] = p.y;
+    if (kind == ChartKind::scatter && p.y_spread) {
+        result["y_low"] = p.y_spread->low;
+        result["y_high"] = p.y_spread->high;
+    }
     return result;
 }
 
@@ -23,6 +27,10 @@ json series(const Series& s, ChartKind kind) {
 }
 
 }  // namespace
+
+Point point_of(const Spread& x, const Spread& y, std::string label, std::string settings) {
+    return {.x = x, .y = y.median, .label = std::move(label), .settings = std::move(settings), .y_spread = y};
+}
 
 void mark_front(Chart& chart) {
     if (!chart.front) return;
@@ -40,11 +48,16 @@ void mark_front(Chart& chart) {
 json to_json(const Chart& chart, const std::string& created, int rounds) {
     json all = json::array();
     for (const Series& s : chart.series) all.push_back(series(s, chart.kind));
-    json result{
-        {"id", chart.id},       {"step", chart.step}, {"kind", chart.kind == ChartKind::scatter ? "scatter" : "ratios"},
-        {"title", chart.title}, {"text", chart.text}, {"created", created},
-        {"rounds", rounds},     {"x", axis(chart.x)}, {"front", chart.front},
-        {"series", all}};
+    json result{{"id", chart.id},
+                {"step", chart.step},
+                {"kind", chart.kind == ChartKind::scatter ? "scatter" : "ratios"},
+                {"title", chart.title},
+                {"text", chart.text},
+                {"created", created},
+                {"rounds", chart.rounds > 0 ? chart.rounds : rounds},
+                {"x", axis(chart.x)},
+                {"front", chart.front},
+                {"series", all}};
     if (chart.kind == ChartKind::scatter) result["y"] = axis(chart.y);
     return result;
 }
@@ -57,7 +70,7 @@ std::string as_text(const Chart& chart) {
             text += fmt::format("  {:<22} {:<52} {:9.4g} {} [{:.4g}, {:.4g}]", s.name, name, p.x.median, chart.x.unit,
                                 p.x.low, p.x.high);
             if (chart.kind == ChartKind::scatter)
-                text += fmt::format("  error {:.2g}{}", p.y, p.on_front ? "  front" : "");
+                text += fmt::format("  {} {:.3g} {}{}", chart.y.label, p.y, chart.y.unit, p.on_front ? "  front" : "");
             text += "\n";
         }
     }

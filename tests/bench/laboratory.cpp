@@ -17,8 +17,7 @@ namespace fs = std::filesystem;
 void say(const std::string& what) { fmt::print(stderr, "rays-chart: {}\n", what); }
 
 std::vector<std::string> benchmark_options(double seconds, const std::string& filter = ".") {
-    return {"--benchmark_format=json", fmt::format("--benchmark_min_time={}", seconds),
-            "--benchmark_filter=" + filter};
+    return {"--benchmark_format=json", fmt::format("--benchmark_min_time={}", seconds), "--benchmark_filter=" + filter};
 }
 
 Command measuring(const fs::path& program, std::vector<std::string> options) {
@@ -84,7 +83,8 @@ const std::vector<KnobRun>& Laboratory::knobs() {
         for (KnobRun& run : knobs_) {
             const std::string structure = run.knob.name.substr(0, run.knob.name.find('-'));
             const std::string filter = fmt::format("^(nearest/bounced|build)/(spheres|triangles)/100000/{}", structure);
-            add_runs(run.timed, run_or_throw(measuring(run.knob.program, benchmark_options(settings_.seconds, filter))).out);
+            add_runs(run.timed,
+                     run_or_throw(measuring(run.knob.program, benchmark_options(settings_.seconds, filter))).out);
         }
     }
     return knobs_;

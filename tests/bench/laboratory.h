@@ -37,12 +37,12 @@ struct WholeProgram {
 /// A structure of step 4 with one constant changed.
 struct KnobRun {
     Knob knob;
-    TimedByName timed;
+    TimedByName timed = {};
 };
 
 /// A picture in one setting.
 struct Try {
-    Command command;              ///< writes `output`
+    Command command;  ///< writes `output`
     std::filesystem::path output;
 };
 struct Tried {
@@ -77,8 +77,8 @@ public:
     /// The structures of step 4 and Embree (measure/step_4_subjects.h), when first asked.
     const TimedByName& structures();
 
-    /// The structures again, one constant changed in each, with bounced rays among 10^5 spheres and triangles; the rounds
-    /// of all knobs in turns. Programs that were not built are left out.
+    /// The structures again, one constant changed in each, with bounced rays among 10^5 spheres and triangles; the
+    /// rounds of all knobs in turns. Programs that were not built are left out.
     const std::vector<KnobRun>& knobs();
 
     /// Every scene of the step without anti-aliasing, in pairs: all scenes in each round, so that a slow minute of the

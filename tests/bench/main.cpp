@@ -39,6 +39,7 @@ void measure(const std::vector<int>& steps, Laboratory& laboratory, const fs::pa
     for (const NamedChart& named : all_charts()) {
         if (std::find(steps.begin(), steps.end(), named.step) == steps.end()) continue;
         Chart chart = named.make(laboratory);
+        if (chart.series.empty()) continue;
         mark_front(chart);
         std::fputs(as_text(chart).c_str(), stdout);
         std::fflush(stdout);
@@ -63,8 +64,12 @@ int main(int argc, char** argv) {
     app.add_option("--scenes", settings.scenes, "folder of the scenes")->required()->check(CLI::ExistingDirectory);
     app.add_option("--out", out, "folder for charts.json and index.html")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("--rounds", settings.rounds, "how often everything is measured; six give a 95 % interval")
+    app.add_option("--rounds", settings.rounds, "how often methods are measured; six give a 95 % interval")
         ->check(CLI::Range(1, 1000));
+    app.add_option("--long-rounds", settings.long_rounds,
+                   "the same of whole pictures and of structures over many bodies")
+        ->check(CLI::Range(1, 1000));
+    app.add_flag("--large", settings.large, "also what takes minutes: 10^7 bodies, the scenes of scenes/bench");
     app.add_option("--seconds", settings.seconds, "least time of one method in one round")
         ->check(CLI::Range(0.001, 60.0));
     try {

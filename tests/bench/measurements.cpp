@@ -22,7 +22,8 @@ std::vector<json> benchmark_runs(const std::string& benchmark_json) {
         if (!(any = all.is_object() && all.contains("benchmarks"))) break;
         for (const json& run : all.at("benchmarks")) {
             if (run.value("run_type", "iteration") != "iteration") continue;
-            if (run.at("time_unit") != "ns") throw std::runtime_error("a measuring program does not count in nanoseconds");
+            if (run.at("time_unit") != "ns")
+                throw std::runtime_error("a measuring program does not count in nanoseconds");
             runs.push_back(run);
         }
     }

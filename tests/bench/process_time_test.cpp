@@ -35,6 +35,26 @@ TEST(ProcessTime, SidesTakeTurns) {
     EXPECT_LE(times.ratio.median, times.ratio.high);
 }
 
+TEST(ProcessTime, ManyTakeTurnsThereAndBack) {
+    const TemporaryFolder folder;
+    std::vector<Command> commands;
+    for (const std::string letter : {"a", "b", "c"}) {
+        commands.push_back(shell("printf " + letter + " >> order"));
+        commands.back().folder = folder.path();
+    }
+    const auto times = time_in_turns(commands, 3);
+    EXPECT_EQ(read_file(folder.path() / "order"), "abccbaabc");
+    ASSERT_EQ(times.size(), 3u);
+    for (const auto& of_command : times) EXPECT_EQ(of_command.size(), 3u);
+}
+
+TEST(ProcessTime, PairsAreComparedRoundByRound) {
+    const PairedTimes times = paired({2, 4, 30}, {1, 1, 10});
+    EXPECT_EQ(times.ratio.median, 3);
+    EXPECT_EQ(times.first_s.median, 4);
+    EXPECT_THROW(paired({1, 2}, {1}), std::exception);
+}
+
 TEST(ProcessTime, AFailedRunIsNoMeasurement) {
     try {
         time_in_pairs(shell("exit 0"), shell("echo no scene >&2; exit 3"), 1);

@@ -37,10 +37,10 @@ Command trusted(std::vector<std::string> argv, const fs::path& folder) {
 
 Command raysteps_command(const fs::path& program, const Picture& picture, const fs::path& folder,
                          const std::string& output, const std::vector<std::string>& more) {
-    Command command = trusted({fs::absolute(program).string(), picture.scene.string(), "-o", output, "--width",
-                               std::to_string(picture.raster.width), "--height", std::to_string(picture.raster.height),
-                               "--threads", "1"},
-                              folder);
+    Command command = trusted(
+        {fs::absolute(program).string(), picture.scene.string(), "-o", output, "--width",
+         std::to_string(picture.raster.width), "--height", std::to_string(picture.raster.height), "--threads", "1"},
+        folder);
     command.argv.insert(command.argv.end(), more.begin(), more.end());
     return command;
 }

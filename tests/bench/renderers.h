@@ -38,9 +38,9 @@ std::filesystem::path with_settings(const std::filesystem::path& scene, const st
 /// std::runtime_error when there is none.
 double povray_rays(const std::string& statistics);
 
-/// The root of the mean squared difference to the reference, over all pixels and lanes, as a share of the reference's own
-/// root mean square. Both are rounded to half floats first, as POV-Ray's pictures are. Infinite where a picture is no
-/// number. Throws std::invalid_argument when the sizes differ.
+/// The root of the mean squared difference to the reference, over all pixels and lanes, as a share of the reference's
+/// own root mean square. Both are rounded to half floats first, as POV-Ray's pictures are. Infinite where a picture is
+/// no number. Throws std::invalid_argument when the sizes differ.
 double picture_error(const RgbImage& picture, const RgbImage& reference);
 
 /// The mean over blocks of side x side pixels. Throws std::invalid_argument when they do not fit.

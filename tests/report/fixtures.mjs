@@ -184,6 +184,10 @@ export const charts = (text = (t) => t) => ({
                 {name: text("Newton"), role: "naive", joined: true, points: [[1, 700, 0.069], [2, 2900, 8.6e-3], [3, 6500, 1e-9]].map(([n, x, y]) => ({x, x_low: x * 0.95, x_high: x * 1.1, y, label: "", settings: `${n} x ${n} starts`, front: false}))}]},
         {id: "1.povray", step: 1, kind: "ratios", title: text("Pictures beside POV-Ray"), text: "Pairs in turns.", created: "2026-01-31T12:10:00Z", rounds: 11, front: false, x: {label: "POV-Ray's time / ours", unit: "", log: true},
             series: [{name: "Raysteps", role: "solution", joined: false, points: [["one_sphere", 7.5], ["meshes", 0.5]].map(([label, x]) => ({x, x_low: x * 0.9, x_high: x * 1.1, label: text(label), settings: text("0.7 s and 0.1 s"), front: false}))}]},
+        {id: "4.knobs", step: 4, kind: "scatter", title: text("Knobs"), text: "Two costs.", created: "2026-01-31T12:20:00Z", rounds: 3, front: true,
+            x: {label: "memory", unit: "bytes", log: true}, y: {label: text("time of a ray"), unit: "ns", log: true},
+            series: [{name: "octree", role: "octree", joined: true, points: [[60, 2500], [100, 900]].map(([x, y]) => ({x, x_low: x, x_high: x, y, y_low: y * 0.5, y_high: y * 2, label: "", settings: `${x} bytes`, front: true}))},
+                {name: "Embree", role: "embree", joined: false, points: [{x: 70, x_low: 70, x_high: 70, y: 600, label: "", settings: "single rays", front: true}]}]},
         {id: "2.empty", step: 2, kind: "scatter", title: "Nothing", text: "", created: "x", rounds: 1, front: true, x: {label: "t", unit: "s", log: true}, y: {label: "e", unit: "", log: true}, series: [{name: "none", role: "odd", points: [{x: null, y: 1}, null]}]},
     ],
 });

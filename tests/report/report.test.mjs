@@ -245,6 +245,20 @@ test("speed against accuracy: points with settings, the front, ratios, tables; a
         await chart.locator("summary").click();
         assert.equal(await chart.locator("tbody tr").count(), 5);
         assert.match(await chart.locator("tbody tr").first().textContent(), /^certified: patch800790 to 8300yessubdivision$/);
+        // Two costs: the other axis has its name, its unit and its interval, drawn as a line.
+        const costs = section.locator(".speed-chart", {hasText: "Two costs."});
+        await costs.locator(".plot").focus();
+        await page.keyboard.press("ArrowRight");
+        assert.match(await costs.locator(".readout").textContent(), /octree: 60 bytes60 bytestime of a ray 2500 ns \(1250 to 5000\)on the front$/);
+        for (const role of ["octree", "embree"]) assert.ok(await pixelsOf(costs.locator("canvas"), `--series-${role}`) > 10, role);
+const at = await costs.locator(".point-ring").boundingBox(), sheet = await costs.locator("canvas").boundingBox();
+        const [x, y] = [at.x + at.width / 2 - sheet.x, at.y + at.height / 2 - sheet.y];
+        // The canvas is clear where nothing is drawn. 15 pixels from the middle a mark has ended, and so has the front's line below.
+        const ink = (dx, dy) => costs.locator("canvas").evaluate((c, [left, top]) => {
+            const scale = c.width / c.getBoundingClientRect().width;
+            return Math.max(...[-1, 0, 1].map((i) => c.getContext("2d").getImageData(Math.round(left * scale) + i, Math.round(top * scale), 1, 1).data[3]));
+        }, [x + dx, y + dy]);
+        assert.ok(await ink(0, 15) > 100 && await ink(-12, 15) === 0, "the interval is drawn below the mark");
         const rows = section.locator(".ratios tbody tr");
         assert.deepEqual(await rows.locator("th").allTextContents(), ["one sphere", "meshes"]);
         assert.match(await rows.first().locator(".value").textContent(), /^7.5 \(6.75 to 8.25\)$/);

@@ -1,7 +1,7 @@
 // Whole pictures: POV-Ray's processor time over ours.
 #include <fmt/format.h>
 
-#include <initializer_list>
+#include <cmath>
 
 #include "charts.h"
 
@@ -10,39 +10,67 @@ namespace {
 
 constexpr int kSide = 512;
 
-Chart against_povray(Laboratory& laboratory, int step, const std::string& folder,
-                     std::initializer_list<const char*> scenes) {
-    Series series{.name = "Raysteps", .role = "solution", .points = {}};
-    for (const std::string scene : scenes) {
-        const PairedTimes times = laboratory.against_povray(folder + "/" + scene + ".pov", kSide, kSide);
-        series.points.push_back({.x = times.ratio,
-                                 .label = scene,
-                                 .settings = fmt::format("POV-Ray {:.3g} s, Raysteps {:.3g} s of processor time",
-                                                         times.first_s.median, times.second_s.median)});
+/// Round by round the geometric mean over all scenes.
+std::vector<double> geometric_means(const std::vector<WholeProgram>& programs) {
+    std::vector<double> means;
+    for (std::size_t round = 0; round < programs.at(0).povray_s.size(); ++round) {
+        double logs = 0;
+        for (const WholeProgram& p : programs) logs += std::log(p.povray_s[round] / p.raysteps_s[round]);
+        means.push_back(std::exp(logs / static_cast<double>(programs.size())));
     }
-    return {.id = fmt::format("{}.povray", step),
+    return means;
+}
+
+Point row(const WholeProgram& program) {
+    const PairedTimes times = paired(program.povray_s, program.raysteps_s);
+    return {.x = times.ratio,
+            .label = program.scene.substr(program.scene.find('/') + 1),
+            .settings = fmt::format("POV-Ray {:.3g} s, Raysteps {:.3g} s of processor time", times.first_s.median,
+                                    times.second_s.median)};
+}
+
+Chart against_povray(Laboratory& laboratory, int step, const std::string& folder, const std::string& title) {
+    const auto programs = laboratory.whole_programs(folder, kSide);
+    Series series{.name = "Raysteps", .role = "solution"};
+    for (const WholeProgram& program : programs) series.points.push_back(row(program));
+    series.points.push_back({.x = spread(geometric_means(programs)),
+                             .label = "geometric mean",
+                             .settings = fmt::format("of {} scenes", programs.size())});
+    return {.id = folder == "bench" ? "4.povray.bench" : fmt::format("{}.povray", step),
             .step = step,
             .kind = ChartKind::ratios,
-            .title = "Whole pictures beside POV-Ray",
+            .title = title,
             .text = fmt::format(
                 "Processor time (user and system) of the whole process from start to exit, {0} x {0} pixels, "
-                "no anti-aliasing, one thread, EXR written. Pairs in turns; median and 95 % interval.",
+                "no anti-aliasing, one thread, EXR written. Pairs in turns, all scenes in each round; median and "
+                "interval.",
                 kSide),
             .x = {"POV-Ray's time / ours", "", true},
-            .y = {},
-            .series = {series}};
+            .series = {series},
+            .rounds = laboratory.long_rounds()};
 }
 
 }  // namespace
 
 Chart step_1_against_povray(Laboratory& laboratory) {
-    return against_povray(laboratory, 1, "1_ray_casting",
-                          {"one_sphere", "still_life", "polygons", "quadrics", "torus", "patches", "meshes"});
+    return against_povray(laboratory, 1, "1_ray_casting", "Whole program beside POV-Ray: scenes of step 1");
 }
 
 Chart step_2_against_povray(Laboratory& laboratory) {
-    return against_povray(laboratory, 2, "2_phong",
-                          {"highlights", "checkers", "shadow_study", "spotlights", "chess_night"});
+    return against_povray(laboratory, 2, "2_phong", "Whole program beside POV-Ray: scenes of step 2");
+}
+
+Chart step_3_against_povray(Laboratory& laboratory) {
+    return against_povray(laboratory, 3, "3_recursion", "Whole program beside POV-Ray: scenes of step 3");
+}
+
+Chart step_4_against_povray(Laboratory& laboratory) {
+    return against_povray(laboratory, 4, "4_partitioning", "Whole program beside POV-Ray: scenes of step 4");
+}
+
+Chart bench_against_povray(Laboratory& laboratory) {
+    if (!laboratory.settings().large) return {};
+    return against_povray(laboratory, 4, "bench", "Whole program beside POV-Ray: large scenes");
 }
 
 }  // namespace rays::bench

@@ -4,9 +4,13 @@ namespace rays::bench {
 
 const std::vector<NamedChart>& all_charts() {
     static const std::vector<NamedChart> charts{
-        {1, float_and_double},      {1, float_against_double},  {1, sphere_near},   {1, sphere_far},
-        {1, quadric_near},          {1, quadric_far},           {1, torus_methods}, {1, patch_methods},
-        {1, step_1_against_povray}, {2, step_2_against_povray},
+        {1, float_and_double},      {1, float_against_double},  {1, sphere_near},           {1, sphere_far},
+        {1, quadric_near},          {1, quadric_far},           {1, torus_methods},         {1, patch_methods},
+        {1, step_1_against_povray}, {2, step_2_against_povray}, {3, tree_by_time},          {3, tree_by_rays},
+        {3, fresnel_formulas},      {3, schlick_in_pictures},   {3, step_3_against_povray}, {4, beside_embree},
+        {4, growth_with_spheres},   {4, growth_with_triangles}, {4, growth_of_build},       {4, growth_of_memory},
+        {4, knobs_with_spheres},    {4, knobs_with_triangles},  {4, structures_in_scenes},  {4, samples_of_stadium},
+        {4, samples_of_checkers},   {4, step_4_against_povray}, {4, bench_against_povray},
     };
     return charts;
 }

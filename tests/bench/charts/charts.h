@@ -8,8 +8,8 @@
 
 namespace rays::bench {
 
-// ---- Step 1
-// ----------------------------------------------------------------------------------------------------------
+// ---- Step 1 ---------------------------------------------------------------------------------------------------------
+
 Chart float_and_double(Laboratory& laboratory);
 Chart float_against_double(Laboratory& laboratory);
 Chart sphere_near(Laboratory& laboratory);
@@ -20,9 +20,32 @@ Chart torus_methods(Laboratory& laboratory);
 Chart patch_methods(Laboratory& laboratory);
 Chart step_1_against_povray(Laboratory& laboratory);
 
-// ---- Step 2
-// ----------------------------------------------------------------------------------------------------------
+// ---- Step 2 ---------------------------------------------------------------------------------------------------------
+
 Chart step_2_against_povray(Laboratory& laboratory);
+
+// ---- Step 3 ---------------------------------------------------------------------------------------------------------
+
+Chart tree_by_time(Laboratory& laboratory);
+Chart tree_by_rays(Laboratory& laboratory);
+Chart fresnel_formulas(Laboratory& laboratory);
+Chart schlick_in_pictures(Laboratory& laboratory);
+Chart step_3_against_povray(Laboratory& laboratory);
+
+// ---- Step 4 ---------------------------------------------------------------------------------------------------------
+
+Chart beside_embree(Laboratory& laboratory);
+Chart growth_with_spheres(Laboratory& laboratory);
+Chart growth_with_triangles(Laboratory& laboratory);
+Chart growth_of_build(Laboratory& laboratory);
+Chart growth_of_memory(Laboratory& laboratory);
+Chart knobs_with_spheres(Laboratory& laboratory);
+Chart knobs_with_triangles(Laboratory& laboratory);
+Chart structures_in_scenes(Laboratory& laboratory);
+Chart samples_of_stadium(Laboratory& laboratory);
+Chart samples_of_checkers(Laboratory& laboratory);
+Chart step_4_against_povray(Laboratory& laboratory);
+Chart bench_against_povray(Laboratory& laboratory);
 
 struct NamedChart {
     int step;

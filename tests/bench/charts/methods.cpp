@@ -14,7 +14,7 @@ Point mean_error_point(const Measured& measured, const std::string& real) {
 
 Series mean_error_series(const std::string& name, const std::string& role, const MeasuredByName& measured,
                          const std::string& real, const std::vector<std::string>& subjects) {
-    Series series{.name = name, .role = role, .points = {}, .joined = subjects.size() > 1};
+    Series series{.name = name, .role = role, .joined = subjects.size() > 1};
     for (const auto& subject : subjects) series.points.push_back(mean_error_point(measured.at(subject), real));
     return series;
 }

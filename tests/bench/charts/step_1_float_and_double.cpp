@@ -13,7 +13,7 @@ constexpr std::array kPrimitives{"plane",    "triangle", "polygon", "disc",  "bo
                                  "cylinder", "cone",     "quadric", "torus", "patch"};
 
 Series median_errors(const std::string& name, const std::string& role, const MeasuredByName& measured) {
-    Series series{.name = name, .role = role, .points = {}};
+    Series series{.name = name, .role = role};
     for (const std::string primitive : kPrimitives) {
         const Measured& m = measured.at("primitive/" + primitive);
         series.points.push_back({.x = spread(m.ns),
@@ -43,7 +43,7 @@ Chart float_and_double(Laboratory& laboratory) {
 
 Chart float_against_double(Laboratory& laboratory) {
     const BothReals& both = laboratory.methods(1);
-    Series series{.name = "float", .role = "float", .points = {}};
+    Series series{.name = "float", .role = "float"};
     for (const std::string primitive : kPrimitives) {
         const Measured& f = both.in_float.at("primitive/" + primitive);
         const Measured& d = both.in_double.at("primitive/" + primitive);
@@ -62,7 +62,6 @@ Chart float_against_double(Laboratory& laboratory) {
                 "Median of the rounds, each round's two builds one after the other, with its 95 % interval. Below 1 "
                 "float is faster.",
             .x = {"time in float / time in double", "", true},
-            .y = {},
             .series = {series}};
 }
 

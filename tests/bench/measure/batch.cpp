@@ -6,9 +6,7 @@
 namespace rays::bench {
 namespace {
 
-constexpr int kSide = 512, kTile = 32, kEvery = 4;
-
-Vec3 in_float(const Vec3& v) { return Vec3(glm::vec3(v)); }
+constexpr int kSide = 512, kTile = 32, kEvery = 8;
 
 void add_ray(Batch& batch, const Vec3& origin, const Vec3& direction, const Intersector& truth) {
     const Ray ray{in_float(origin), in_float(glm::normalize(direction))};

@@ -13,11 +13,12 @@ namespace rays::bench {
 inline constexpr Real kNearest = Real(1e-5);
 
 struct Batch {
-    std::vector<Ray> rays;         ///< every number is a float's; directions of unit length but for its rounding
-    std::vector<Real> distances;   ///< to the nearest hit, from `truth`; infinite where there is none
+    std::vector<Ray> rays;        ///< every number is a float's; directions of unit length but for its rounding
+    std::vector<Real> distances;  ///< to the nearest hit, from `truth`; infinite where there is none
 };
 
-/// Camera rays of a picture of 512 x 512: every fourth of its tiles of 32 x 32 pixels, so that neighbours stay neighbours.
+/// Camera rays of a picture of 512 x 512: every eighth of its tiles of 32 x 32 pixels, so that neighbours stay
+/// neighbours.
 Batch primary_rays(const Bodies& bodies, const Intersector& truth);
 
 /// One diffuse bounce from every point that the primary rays hit, its directions spread like the cosine.

@@ -11,8 +11,6 @@
 namespace rays::bench {
 namespace {
 
-Vec3 in_float(const Vec3& v) { return Vec3(glm::vec3(v)); }
-
 double unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
 /// Uniform on the sphere.
@@ -118,7 +116,7 @@ Bodies random_triangles(std::size_t count) {
     return bodies;
 }
 
-Bodies tessellated_flake() {
+Bodies tessellated_flake(int generations) {
     Bodies bodies;
     bodies.name = "flake";
     bodies.eye = Vec3(Real(2.2), Real(1.8), Real(-4.6));
@@ -126,7 +124,7 @@ Bodies tessellated_flake() {
     bodies.angle_deg = 36;
     bodies.scene.materials.emplace_back();
     Mesh mesh;
-    add_flake(mesh, Vec3(0), Mat3(1), 1, 3);
+    add_flake(mesh, Vec3(0), Mat3(1), 1, generations);
     bodies.count = mesh.faces.size();
     add_as_one_object(bodies.scene, std::move(mesh));
     return bodies;

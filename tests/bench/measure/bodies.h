@@ -10,6 +10,13 @@
 
 namespace rays::bench {
 
+/// The nearest numbers of float. GCC 12 forgets the rounding when it does two lanes at once (-O2, vectors of double to
+/// float and back), so each goes through a variable that it has to write.
+inline Vec3 in_float(const Vec3& v) {
+    const volatile float x = static_cast<float>(v.x), y = static_cast<float>(v.y), z = static_cast<float>(v.z);
+    return {Real(x), Real(y), Real(z)};
+}
+
 /// One mesh or one list of spheres in a scene of its own, ready to be built over. Every coordinate is a float's number,
 /// so that Embree is asked about the very same bodies.
 struct Bodies {
@@ -23,12 +30,14 @@ struct Bodies {
     bool are_spheres() const { return !scene.spheres.empty(); }
 };
 
-/// Spheres of one size, or triangles with equal sides, anywhere in a cube of side 1. Together they cover a view along an
-/// axis once on average, however many there are: a line through the cube meets about one. The same for the same count.
+/// Spheres of one size, or triangles with equal sides, anywhere in a cube of side 1. Together they cover a view along
+/// an axis once on average, however many there are: a line through the cube meets about one. The same for the same
+/// count.
 Bodies random_spheres(std::size_t count);
 Bodies random_triangles(std::size_t count);
 
 /// The sphereflake of scenes/bench/million_triangles.pov: 820 spheres, each of 1008 triangles: 826 560 in one mesh.
-Bodies tessellated_flake();
+/// Less with fewer generations.
+Bodies tessellated_flake(int generations = 3);
 
 }  // namespace rays::bench

@@ -1,9 +1,10 @@
-// count-rays SCENE WIDTH HEIGHT: prints how many rays the picture takes, shadow rays left out: what POV-Ray counts as
-// "Rays". One sample a pixel.
+// count-rays SCENE WIDTH HEIGHT: prints how many rays the tree of a picture has, shadow rays left out, and how many of
+// them were cut off and not traced; POV-Ray's "Rays" are all of them. One sample a pixel.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 
+#include "core/query_log.h"
 #include "renderer/radiance.h"
 #include "renderer/render.h"
 #include "scene_reader/scene_reader.h"
@@ -12,35 +13,32 @@ namespace {
 
 using namespace rays;
 
-/// Passes questions on. Rays of the tree look from kNearest to kFarthest; shadow rays never do.
-class Counting final : public Intersector {
-public:
-    explicit Counting(const Intersector& other) : other_(other) {}
-    unsigned long long rays() const { return rays_; }
-
-private:
-    std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
-        rays_ += range.min == kNearest && range.max == kFarthest;
-        return other_.nearest(ray, range);
-    }
-    bool find_occluder(const Ray& ray, Interval range) const override { return other_.occluded(ray, range); }
-
-    const Intersector& other_;
-    mutable unsigned long long rays_ = 0;  // one thread asks
+struct Count {
+    unsigned long long all = 0, cut_off = 0;
 };
 
-unsigned long long count(const char* file, Raster raster) {
+Count count(const char* file, Raster raster) {
     ReadOptions options;
     options.raster = raster;
     Scene scene = read_scene(file, options);
     prepare(scene);
     const auto intersector = make_intersector(scene, Partition::automatic);
-    const Counting counting(*intersector);
-    World world = make_world(scene, counting);
+    World world = make_world(scene, *intersector);
     const Inside inside = world.sees_through ? media_around(scene, scene.camera.location) : Inside();
-    for (int y = 0; y < raster.height; ++y)
-        for (int x = 0; x < raster.width; ++x) radiance(world, camera_ray(scene.camera, raster, x, y), inside);
-    return counting.rays();
+    Count result;
+    for (int y = 0; y < raster.height; ++y) {
+        for (int x = 0; x < raster.width; ++x) {
+            QueryLog log;
+            query_log = &log;
+            radiance(world, camera_ray(scene.camera, raster, x, y), inside);
+            query_log = nullptr;
+            for (const auto& query : log.queries) {
+                result.all += query.kind != "shadow";
+                result.cut_off += query.pruned;
+            }
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -52,7 +50,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        std::printf("%llu\n", count(argv[1], raster));
+        const Count rays = count(argv[1], raster);
+        std::printf("%llu %llu\n", rays.all, rays.cut_off);
         return 0;
     } catch (const std::exception& e) {
         std::fprintf(stderr, "count-rays: %s\n", e.what());

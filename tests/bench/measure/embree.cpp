@@ -107,8 +107,8 @@ private:
 
     static RTCGeometry mesh(const Mesh& from) {
         RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* points = new_rows<std::array<float, 3>>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
-                                                      from.positions.size());
+        auto* points =
+            new_rows<std::array<float, 3>>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, from.positions.size());
         for (const Vec3& p : from.positions)
             *points++ = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
         auto* faces = new_rows<std::array<std::uint32_t, 3>>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
@@ -119,8 +119,8 @@ private:
 
     static RTCGeometry spheres(const Scene& from) {
         RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
-        auto* rows = new_rows<std::array<float, 4>>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4,
-                                                    from.spheres.size());
+        auto* rows =
+            new_rows<std::array<float, 4>>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, from.spheres.size());
         for (const Sphere& s : from.spheres)
             *rows++ = {static_cast<float>(s.center.x), static_cast<float>(s.center.y), static_cast<float>(s.center.z),
                        static_cast<float>(s.radius)};

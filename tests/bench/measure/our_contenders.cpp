@@ -69,8 +69,10 @@ Disagreement disagreement(const Batch& truth, const std::vector<Real>& distances
     Disagreement result;
     for (std::size_t i = 0; i < distances.size(); ++i) {
         const bool should = std::isfinite(truth.distances[i]), does = std::isfinite(distances[i]);
-        if (should && !does) ++result.lost;
-        else if (does && !should) ++result.found;
+        if (should && !does)
+            ++result.lost;
+        else if (does && !should)
+            ++result.found;
         else if (does && !(std::abs(distances[i] - truth.distances[i]) <= kSameDistance * truth.distances[i]))
             ++result.elsewhere;
     }

@@ -26,7 +26,8 @@ std::vector<Real> cosines() {
     return result;
 }
 
-/// By the amplitudes of both polarisations (Born and Wolf, Principles of Optics, 1.5.2): another way than the solution's.
+/// By the amplitudes of both polarisations (Born and Wolf, Principles of Optics, 1.5.2): another way than the
+/// solution's.
 long double truth(Real cosine, Real index) {
     const long double c = cosine, n = index, sin2 = (1 - c * c) / (n * n);
     if (!(sin2 < 1)) return 1;
@@ -50,7 +51,8 @@ void add_formula(const std::string& name, const char* settings, Real index, Form
         state.SetLabel(settings);
         state.counters["rays"] = static_cast<double>(angles.size());
         state.counters["error_median"] = errors[errors.size() / 2];
-        state.counters["error_mean"] = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+        state.counters["error_mean"] =
+            std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
         state.counters["error_largest"] = errors.back();
         state.counters["wrong"] = 0;
     });

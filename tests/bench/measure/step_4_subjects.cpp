@@ -126,7 +126,8 @@ void add_stage(const std::string& bodies, std::size_t size, std::function<Bodies
                 add_nearest("nearest" + what + contender.name, stage, contender, set);
         }
         for (const Contender& contender : contenders)
-            if (takes_part(contender) && size >= kFewestForAny) add_any("any" + what + contender.name, stage, contender, set);
+            if (takes_part(contender) && size >= kFewestForAny)
+                add_any("any" + what + contender.name, stage, contender, set);
     }
     for (const Contender& contender : contenders)
         if (contender.name != "none") add_build(fmt::format("build/{}/{}", bodies, contender.name), stage, contender);
@@ -139,7 +140,7 @@ void add_structures(std::size_t most) {
         add_stage(fmt::format("spheres/{}", n), n, [n] { return random_spheres(n); });
         add_stage(fmt::format("triangles/{}", n), n, [n] { return random_triangles(n); });
     }
-    add_stage("flake", 820 * 1008, tessellated_flake);
+    add_stage("flake", 820 * 1008, [] { return tessellated_flake(); });
 }
 
 }  // namespace rays::bench

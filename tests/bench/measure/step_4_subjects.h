@@ -5,7 +5,8 @@
 
 namespace rays::bench {
 
-/// Registers with Google Benchmark, for every structure (contender.h) and random spheres, random triangles and the flake:
+/// Registers with Google Benchmark, for every structure (contender.h) and random spheres, random triangles and the
+/// flake:
 ///
 ///     nearest/RAYS/BODIES/STRUCTURE    e.g. nearest/bounced/spheres/1000/bvh
 ///     any/RAYS/BODIES/STRUCTURE        only for 10^5 bodies and more
