@@ -87,6 +87,8 @@ std::optional<grader::FreshScene> taken(const std::string& task, std::uint64_t s
 class FreshScenesOfStep : public testing::TestWithParam<Fresh> {};
 
 TEST_P(FreshScenesOfStep, AreReadShowSomethingAndAreTheSameWithEveryStructure) {
+    // Boxes are not a rounding of float wider than what is in them: a torus may lose the rim of its shadow.
+    if (sizeof(Real) < sizeof(double)) GTEST_SKIP() << "the same bytes are promised for geometry in double";
     constexpr int kMostTasks = 20;
     std::set<int> tasks;
     for (const std::uint64_t seed : fair_seeds()) {
