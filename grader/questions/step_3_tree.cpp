@@ -208,8 +208,10 @@ public:
             "into the glass: nothing was absorbed outside");
     }
     void is_pruned() {
-        const V sky = dice_.color(), tint = dice_.color();
+        const V sky = dice_.color();
+        V tint = dice_.color();
         const double weight = dice_.round_between(0.2, 1), adc = 0.1;
+        if (largest(tint) < 1.1 * adc) tint = 3.0 * tint;  // else it is pruned at every level
         notes_.scene(world(6, adc, rgb(sky)) + pool(1.5, ""));
         ask(on_its_way({0, 0, -1}, {0, 0, 1}, 4, 1), tint, tint * sky, 0, false, "one level below the last: traced");
         ask(on_its_way({0, 0, -1}, {0, 0, 1}, 5, weight), tint, V(0), weight * largest(tint), false,
