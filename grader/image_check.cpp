@@ -165,19 +165,33 @@ Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& 
 
 // The solution's picture and what lies around each of its pixels.
 struct FreshTruth {
+    std::string sdl;
+    SceneFiles files;
     std::optional<Finding> against;
     Reference truth;
     std::string exr;
 };
 
-FreshTruth fresh_truth(const Bench& bench, const SceneFiles& files) {
+bool of_one_colour(const RgbImage& picture) {
+    return std::all_of(picture.pixels.begin(), picture.pixels.end(), [&](const Rgb& p) { return p == picture.pixels.front(); });
+}
+
+FreshTruth fresh_truth(const Bench& bench, const std::string& task, int place) {
     const Raster raster{kFreshWidth, kFreshHeight}, fine{4 * kFreshWidth, 4 * kFreshHeight};
-    const Shot frame = shoot(bench.sandbox, bench.solution, files, raster, bench.limits);
-    const Shot around = shoot(bench.sandbox, bench.solution, files, fine, bench.limits);
     FreshTruth result;
-    result.against = frame.against ? frame.against : around.against;
-    if (!result.against) result.truth = make_reference(frame.picture, around.picture);
+    Shot frame;
+    for (int attempt = 0; attempt < kFreshAttempts; ++attempt) {
+        result.sdl = fresh_scene(task, seed_of_fresh_scene(bench.seed, place, attempt))->sdl;
+        result.files = {{"fresh.pov", result.sdl}};
+        frame = shoot(bench.sandbox, bench.solution, result.files, raster, bench.limits);
+        if (frame.against || !of_one_colour(frame.picture)) break;
+    }
+    result.against = frame.against;
     result.exr = frame.exr;
+    if (result.against) return result;
+    const Shot around = shoot(bench.sandbox, bench.solution, result.files, fine, bench.limits);
+    result.against = around.against;
+    if (!result.against) result.truth = make_reference(frame.picture, around.picture);
     return result;
 }
 
@@ -199,9 +213,7 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
     constexpr int kLeastAllowed = 3;
     int right = 0;
     for (int i = 0; i < kFreshScenesPerTask; ++i) {
-        const auto scene = fresh_scene(task.id, bench.seed + static_cast<std::uint64_t>(i));
-        const SceneFiles files{{"fresh.pov", scene->sdl}};
-        const FreshTruth truth = fresh_truth(bench, files);
+        const FreshTruth truth = fresh_truth(bench, task.id, i);
         Check one = check;
         one.image.emplace().scene = fmt::format("fresh scene {} of task {}", i + 1, task.id);
         one.image->partition = bench.step.partition;
@@ -210,9 +222,9 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
             check.message = "the solution cannot render a fresh scene: " + truth.against->message;
             return check;
         }
-        const Shot shot = shoot(bench.sandbox, bench.student, files, {kFreshWidth, kFreshHeight}, bench.limits,
+        const Shot shot = shoot(bench.sandbox, bench.student, truth.files, {kFreshWidth, kFreshHeight}, bench.limits,
                                 options_of(bench.step.partition));
-        judge({bench, bench.student, files, truth.truth, kFreshTolerance, kLeastAllowed}, shot, one);
+        judge({bench, bench.student, truth.files, truth.truth, kFreshTolerance, kLeastAllowed}, shot, one);
         check.seconds += one.seconds;
         right += one.verdict == Verdict::pass;
         if (one.verdict == Verdict::pass || check.image) continue;
@@ -222,7 +234,7 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
         check.image = one.image;
         check.image->student = kept(bench, check.id, shot.exr);
         check.image->reference = check.image->solution = kept(bench, check.id + ".solution", truth.exr);
-        check.questions.push_back({"the scene", "", scene->sdl, "the solution's picture", "another picture", false});
+        check.questions.push_back({"the scene", "", truth.sdl, "the solution's picture", "another picture", false});
     }
     check.message =
         fmt::format("{} of {} fresh scenes equal to the solution's", right, kFreshScenesPerTask) + check.message;

@@ -42,6 +42,14 @@ double geometric(double share, int terms) {
     return sum;
 }
 
+/// An adc_bailout that no power of `share` meets: 0.3 * 0.3 in single precision reaches 0.09 or not, depending on who
+/// rounds, and both are right. Weights of some ten factors are good to 1e-6.
+double off_the_powers(double share, double adc) {
+    for (double weight = 1; weight > adc / 2; weight *= share)
+        if (std::abs(weight / adc - 1) < 1e-5) return single(1.01 * adc);
+    return adc;
+}
+
 }  // namespace
 
 std::vector<Question> prunings(std::uint64_t seed) {
@@ -70,7 +78,8 @@ std::vector<Question> prunings(std::uint64_t seed) {
                   grey(glow * geometric(share, levels)));
     }
     for (int i = 0; i < 4; ++i) {
-        const double share = dice.round_between(0.3, 0.8), adc = single(dice.round_between(0.004, 0.1));
+        const double share = dice.round_between(0.3, 0.8),
+                     adc = off_the_powers(share, single(dice.round_between(0.004, 0.1)));
         int terms = 0;
         for (double weight = 1; weight >= adc; weight *= share) ++terms;
         notes.scene(corridor(share, 0.5, 200, adc));
@@ -199,8 +208,10 @@ public:
             "into the glass: nothing was absorbed outside");
     }
     void is_pruned() {
-        const V sky = dice_.color(), tint = dice_.color();
+        const V sky = dice_.color();
+        V tint = dice_.color();
         const double weight = dice_.round_between(0.2, 1), adc = 0.1;
+        if (largest(tint) < 1.1 * adc) tint = 3.0 * tint;  // else it is pruned at every level
         notes_.scene(world(6, adc, rgb(sky)) + pool(1.5, ""));
         ask(on_its_way({0, 0, -1}, {0, 0, 1}, 4, 1), tint, tint * sky, 0, false, "one level below the last: traced");
         ask(on_its_way({0, 0, -1}, {0, 0, 1}, 5, weight), tint, V(0), weight * largest(tint), false,

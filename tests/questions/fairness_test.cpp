@@ -1,27 +1,59 @@
 // Are the questions fair? The solution answers all of them, for any seed, and every sweep within its stated range; no
 // task has too few; another seed asks others; nonsense is never right.
+//
+// Measured false alarms of the solution, as they are now: questions 0 of 1,000 seeds in steps 1 and 4, 0 of 10,000 in
+// steps 2 and 3; sweeps 0 of 1,000 in steps 1 to 3; fresh scenes 0 of 400 seeds of every task. Before, 3.8 failed for
+// one seed of 10,000 and 3.10 for two: a thousand seeds do not find such ties, reading the questions does.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 
 #include "asked.h"
+#include "core/vec.h"
 #include "grader/course.h"
 #include "questions/exchange.h"
+#include "seeds.h"
 
 namespace rays::tests {
 namespace {
 
 using grader::Question;
 
-void expect_all_right(const std::vector<Question>& questions, const std::string& where) {
-    const auto answers = asked(questions);
-    for (std::size_t i = 0; i < questions.size(); ++i) {
-        const auto judgement = questions[i].judge(answers[i]);
-        EXPECT_TRUE(judgement.ok) << where << ", task " << questions[i].task << ": " << questions[i].about << '\n'
-                                  << questions[i].scene << questions[i].query << "\nexpected " << judgement.expected
-                                  << ", got " << answers[i].text;
+/// Wrong answers of the solution: one line a seed and check, and how many seeds had any.
+class Alarms {
+public:
+    void judge(const std::string& check, const std::vector<Question>& questions, std::uint64_t seed) {
+        const auto answers = asked(questions);
+        ASSERT_EQ(answers.size(), questions.size());
+        asked_ += questions.size();
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            const auto judgement = questions[i].judge(answers[i]);
+            if (judgement.ok) continue;
+            seeds_.insert(seed);
+            if (checks_[check + " of task " + questions[i].task].insert(seed).second && ++shown_ <= kShown)
+                ADD_FAILURE() << check << ", task " << questions[i].task << ", seed " << seed << ": "
+                              << questions[i].about << '\n'
+                              << questions[i].scene << questions[i].query << "\nexpected " << judgement.expected
+                              << ", got " << answers[i].text << ", error " << judgement.error;
+        }
     }
-}
+
+    void expect_none(std::size_t seeds) const {
+        EXPECT_GT(asked_, 0u);
+        for (const auto& [check, failed] : checks_)
+            ADD_FAILURE() << check << ": a false alarm for " << failed.size() << " of " << seeds << " seeds";
+        EXPECT_EQ(seeds_.size(), 0u) << "of " << seeds << " seeds, and none may fail";
+    }
+
+private:
+    static constexpr int kShown = 12;
+    std::size_t asked_ = 0;
+    int shown_ = 0;
+    std::set<std::uint64_t> seeds_;
+    std::map<std::string, std::set<std::uint64_t>> checks_;
+};
 
 class OfStep : public testing::TestWithParam<int> {
 protected:
@@ -29,8 +61,11 @@ protected:
 };
 
 TEST_P(OfStep, TheSolutionAnswersEveryQuestion) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed)
-        expect_all_right(grader::questions_of(step, seed), "seed " + std::to_string(seed));
+    if (sizeof(Real) < sizeof(double)) GTEST_SKIP() << "what is asked is good to more digits than float has";
+    const auto seeds = fair_seeds();
+    Alarms alarms;
+    for (const std::uint64_t seed : seeds) alarms.judge("questions", grader::questions_of(step, seed), seed);
+    alarms.expect_none(seeds.size());
 }
 
 TEST_P(OfStep, EveryTaskIsAskedOften) {
@@ -62,15 +97,21 @@ TEST_P(OfStep, NonsenseIsNeverRight) {
 }
 
 TEST_P(OfStep, TheSolutionHoldsWithinEverySweepsRange) {
-    for (const grader::Sweep& sweep : grader::sweeps_of(step, 5)) {
-        int inside = 0;
-        for (const auto& point : sweep.points) {
-            if (!(point.x >= sweep.pass_from && point.x <= sweep.pass_to)) continue;
-            ++inside;
-            expect_all_right(point.questions, sweep.id);
+    if (sizeof(Real) < sizeof(double)) GTEST_SKIP() << "what is asked is good to more digits than float has";
+    const auto seeds = fair_seeds();
+    Alarms alarms;
+    for (const std::uint64_t seed : seeds) {
+        for (const grader::Sweep& sweep : grader::sweeps_of(step, seed)) {
+            int inside = 0;
+            for (const auto& point : sweep.points) {
+                if (!(point.x >= sweep.pass_from && point.x <= sweep.pass_to)) continue;
+                ++inside;
+                alarms.judge(sweep.id + " at " + fmt::format("{:.3g}", point.x), point.questions, seed);
+            }
+            EXPECT_GE(inside, 4) << sweep.id;
         }
-        EXPECT_GE(inside, 4) << sweep.id;
     }
+    alarms.expect_none(seeds.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Questions, OfStep, testing::Range(1, 5));

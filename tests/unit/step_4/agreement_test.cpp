@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "4_partitioning/parallel.h"
 #include "4_partitioning/structures.h"
 #include "hard_scenes.h"
 #include "renderer/agreement.h"
@@ -42,6 +43,20 @@ INSTANTIATE_TEST_SUITE_P(Structures, Agrees,
                          [](const auto& of) {
                              return std::get<0>(of.param).name + "_" + hard_scenes()[std::get<1>(of.param)].name;
                          });
+
+TEST(ParallelBuilds, AgreeWithAskingEveryPrimitive) {
+    // Twice as many as are built by one thread. Under ThreadSanitizer this is the test of the builds.
+    const std::string text = "#declare R = seed(1); #declare I = 0; #while (I < " + std::to_string(2 * kParallelFrom) +
+                             ") sphere { <rand(R), rand(R), rand(R)> * 10, 0.1 } #declare I = I + 1; #end\n";
+    const Scene scene = staged(text);
+    ASSERT_GE(scene.objects.size(), kParallelFrom);
+    const auto slow = make_exhaustive(scene);
+    for (const Partition partition : {Partition::grid, Partition::octree, Partition::bvh}) {
+        const Agreement agreement = compare(scene, *make_structure(scene, partition), *slow, 200, 1);
+        EXPECT_EQ(agreement.differences, 0u) << agreement.first;
+        EXPECT_GT(agreement.hits, agreement.rays / 50);
+    }
+}
 
 TEST(NoRays, AreMissesAtOnce) {
     const Scene scene = staged(hard_scenes()[3].text);
