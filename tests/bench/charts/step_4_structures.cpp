@@ -22,9 +22,9 @@ constexpr std::array<Shown, 5> kStructures{{{"none", "none: all are asked", "nai
 /// Of all measurements "prefix/N/structure" one series, in ascending N.
 template <class MakePoint>
 std::optional<Series> over_count(const TimedByName& timed, const std::string& prefix, const Shown& structure,
-                                 MakePoint make_point) {
+                                 MakePoint make_point, std::size_t fewest = 10) {
     Series series{.name = structure.title, .role = structure.role, .joined = true};
-    for (std::size_t n = 10; n <= 10'000'000; n *= 10) {
+    for (std::size_t n = fewest; n <= 10'000'000; n *= 10) {
         const auto found = timed.find(fmt::format("{}/{}/{}", prefix, n, structure.name));
         if (found != timed.end()) series.points.push_back(make_point(static_cast<double>(n), found->second));
     }
@@ -58,12 +58,13 @@ Chart growth(Laboratory& laboratory, const std::string& bodies) {
 
 /// Spheres and triangles of each structure.
 template <class MakePoint>
-Chart growth_of(Laboratory& laboratory, const std::string& id, const Axis& y, MakePoint make_point) {
+Chart growth_of(Laboratory& laboratory, const std::string& id, const Axis& y, MakePoint make_point,
+                std::size_t fewest = 10) {
     const TimedByName& timed = laboratory.structures();
     Chart chart{.id = id, .step = 4, .x = {"bodies", "", true}, .y = y, .rounds = laboratory.long_rounds()};
     for (const Shown& structure : kStructures) {
         for (const std::string bodies : {"spheres", "triangles"}) {
-            auto series = over_count(timed, "build/" + bodies, structure, make_point);
+            auto series = over_count(timed, "build/" + bodies, structure, make_point, fewest);
             if (!series) continue;
             series->name += ", " + bodies;
             chart.series.push_back(std::move(*series));
@@ -122,13 +123,18 @@ Chart growth_of_build(Laboratory& laboratory) {
     return chart;
 }
 
+/// Of fewer bodies the allocator's own bookkeeping would be weighed.
+constexpr std::size_t kFewestWeighed = 1000;
+
 Chart growth_of_memory(Laboratory& laboratory) {
     Chart chart = growth_of(
-        laboratory, "4.memory", {"memory of the structure, a body", "bytes", true}, [](double n, const Timed& t) {
+        laboratory, "4.memory", {"memory of the structure, a body", "bytes", true},
+        [](double n, const Timed& t) {
             return Point{.x = exactly(n),
                          .y = t.counter("bytes") / n,
                          .settings = fmt::format("{}; {:.3g} MB", t.settings, t.counter("bytes") / 1e6)};
-        });
+        },
+        kFewestWeighed);
     chart.title = "Memory among more and more bodies";
     chart.text =
         "What stays allocated after the build, the bodies themselves not counted; of Embree, what it says that it "
