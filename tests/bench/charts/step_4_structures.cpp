@@ -19,6 +19,19 @@ constexpr std::array<Shown, 5> kStructures{{{"none", "none: all are asked", "nai
                                             {"bvh", "bvh", "solution"},
                                             {"embree", "Embree", "embree"}}};
 
+struct SetAndRays {
+    const char *measured, *shown;
+};
+constexpr SetAndRays kBesideEmbree[] = {{"nearest/primary/flake", "flake"},
+                                        {"nearest/bounced/flake", "flake, bounced"},
+                                        {"any/bounced/flake", "flake, bounced, any"},
+                                        {"nearest/primary/triangles/1000000", "triangles"},
+                                        {"nearest/bounced/triangles/1000000", "triangles, bounced"},
+                                        {"any/bounced/triangles/1000000", "triangles, bounced, any"},
+                                        {"nearest/primary/spheres/1000000", "spheres"},
+                                        {"nearest/bounced/spheres/1000000", "spheres, bounced"},
+                                        {"any/bounced/spheres/1000000", "spheres, bounced, any"}};
+
 /// Of all measurements "prefix/N/structure" one series, in ascending N.
 template <class MakePoint>
 std::optional<Series> over_count(const TimedByName& timed, const std::string& prefix, const Shown& structure,
@@ -150,22 +163,22 @@ Chart beside_embree(Laboratory& laboratory) {
                 .kind = ChartKind::ratios,
                 .title = "Rays a second as a share of Embree's",
                 .text =
-                    "One ray a call, one thread, the same bodies and rays; Embree in float, ours in double with the "
+                    "A flake of 826 560 triangles, 10^6 random triangles or spheres; nearest or any hits of camera "
+                    "rays or of rays that "
+                    "bounce diffusely. One ray a call, one thread, the same bodies and rays; Embree in float, ours in "
+                    "double with the "
                     "point and the normal of every hit. " +
                     disagreements(timed),
                 .x = {"our rate / Embree's", "", true},
                 .rounds = laboratory.long_rounds()};
     for (const char* name : {"bvh", "octree", "grid"}) {
         Series series{.name = name, .role = name == std::string("bvh") ? "solution" : name};
-        for (const std::string bodies :
-             {"flake", "triangles/1000000", "triangles/100000", "triangles/10000", "spheres/1000000", "spheres/100000"})
-            for (const std::string query : {"nearest/primary/", "nearest/bounced/", "any/primary/", "any/bounced/"}) {
-                const auto ours = timed.find(query + bodies + "/" + name),
-                           embree = timed.find(query + bodies + "/embree");
-                if (ours == timed.end() || embree == timed.end()) continue;
-                series.points.push_back(
-                    ratio_to_embree(bodies + ", " + query.substr(0, query.size() - 1), ours->second, embree->second));
-            }
+        for (const SetAndRays& row : kBesideEmbree) {
+            const auto ours = timed.find(fmt::format("{}/{}", row.measured, name));
+            const auto embree = timed.find(fmt::format("{}/embree", row.measured));
+            if (ours != timed.end() && embree != timed.end())
+                series.points.push_back(ratio_to_embree(row.shown, ours->second, embree->second));
+        }
         if (!series.points.empty()) chart.series.push_back(std::move(series));
     }
     return chart;
