@@ -19,12 +19,25 @@ constexpr std::array<Shown, 5> kStructures{{{"none", "none: all are asked", "nai
                                             {"bvh", "bvh", "solution"},
                                             {"embree", "Embree", "embree"}}};
 
+struct SetAndRays {
+    const char *measured, *shown;
+};
+constexpr SetAndRays kBesideEmbree[] = {{"nearest/primary/flake", "flake"},
+                                        {"nearest/bounced/flake", "flake, bounced"},
+                                        {"any/bounced/flake", "flake, bounced, any"},
+                                        {"nearest/primary/triangles/1000000", "triangles"},
+                                        {"nearest/bounced/triangles/1000000", "triangles, bounced"},
+                                        {"any/bounced/triangles/1000000", "triangles, bounced, any"},
+                                        {"nearest/primary/spheres/1000000", "spheres"},
+                                        {"nearest/bounced/spheres/1000000", "spheres, bounced"},
+                                        {"any/bounced/spheres/1000000", "spheres, bounced, any"}};
+
 /// Of all measurements "prefix/N/structure" one series, in ascending N.
 template <class MakePoint>
 std::optional<Series> over_count(const TimedByName& timed, const std::string& prefix, const Shown& structure,
-                                 MakePoint make_point) {
+                                 MakePoint make_point, std::size_t fewest = 10) {
     Series series{.name = structure.title, .role = structure.role, .joined = true};
-    for (std::size_t n = 10; n <= 10'000'000; n *= 10) {
+    for (std::size_t n = fewest; n <= 10'000'000; n *= 10) {
         const auto found = timed.find(fmt::format("{}/{}/{}", prefix, n, structure.name));
         if (found != timed.end()) series.points.push_back(make_point(static_cast<double>(n), found->second));
     }
@@ -58,12 +71,13 @@ Chart growth(Laboratory& laboratory, const std::string& bodies) {
 
 /// Spheres and triangles of each structure.
 template <class MakePoint>
-Chart growth_of(Laboratory& laboratory, const std::string& id, const Axis& y, MakePoint make_point) {
+Chart growth_of(Laboratory& laboratory, const std::string& id, const Axis& y, MakePoint make_point,
+                std::size_t fewest = 10) {
     const TimedByName& timed = laboratory.structures();
     Chart chart{.id = id, .step = 4, .x = {"bodies", "", true}, .y = y, .rounds = laboratory.long_rounds()};
     for (const Shown& structure : kStructures) {
         for (const std::string bodies : {"spheres", "triangles"}) {
-            auto series = over_count(timed, "build/" + bodies, structure, make_point);
+            auto series = over_count(timed, "build/" + bodies, structure, make_point, fewest);
             if (!series) continue;
             series->name += ", " + bodies;
             chart.series.push_back(std::move(*series));
@@ -122,13 +136,18 @@ Chart growth_of_build(Laboratory& laboratory) {
     return chart;
 }
 
+/// Of fewer bodies the allocator's own bookkeeping would be weighed.
+constexpr std::size_t kFewestWeighed = 1000;
+
 Chart growth_of_memory(Laboratory& laboratory) {
     Chart chart = growth_of(
-        laboratory, "4.memory", {"memory of the structure, a body", "bytes", true}, [](double n, const Timed& t) {
+        laboratory, "4.memory", {"memory of the structure, a body", "bytes", true},
+        [](double n, const Timed& t) {
             return Point{.x = exactly(n),
                          .y = t.counter("bytes") / n,
                          .settings = fmt::format("{}; {:.3g} MB", t.settings, t.counter("bytes") / 1e6)};
-        });
+        },
+        kFewestWeighed);
     chart.title = "Memory among more and more bodies";
     chart.text =
         "What stays allocated after the build, the bodies themselves not counted; of Embree, what it says that it "
@@ -144,22 +163,22 @@ Chart beside_embree(Laboratory& laboratory) {
                 .kind = ChartKind::ratios,
                 .title = "Rays a second as a share of Embree's",
                 .text =
-                    "One ray a call, one thread, the same bodies and rays; Embree in float, ours in double with the "
+                    "A flake of 826 560 triangles, 10^6 random triangles or spheres; nearest or any hits of camera "
+                    "rays or of rays that "
+                    "bounce diffusely. One ray a call, one thread, the same bodies and rays; Embree in float, ours in "
+                    "double with the "
                     "point and the normal of every hit. " +
                     disagreements(timed),
                 .x = {"our rate / Embree's", "", true},
                 .rounds = laboratory.long_rounds()};
     for (const char* name : {"bvh", "octree", "grid"}) {
         Series series{.name = name, .role = name == std::string("bvh") ? "solution" : name};
-        for (const std::string bodies :
-             {"flake", "triangles/1000000", "triangles/100000", "triangles/10000", "spheres/1000000", "spheres/100000"})
-            for (const std::string query : {"nearest/primary/", "nearest/bounced/", "any/primary/", "any/bounced/"}) {
-                const auto ours = timed.find(query + bodies + "/" + name),
-                           embree = timed.find(query + bodies + "/embree");
-                if (ours == timed.end() || embree == timed.end()) continue;
-                series.points.push_back(
-                    ratio_to_embree(bodies + ", " + query.substr(0, query.size() - 1), ours->second, embree->second));
-            }
+        for (const SetAndRays& row : kBesideEmbree) {
+            const auto ours = timed.find(fmt::format("{}/{}", row.measured, name));
+            const auto embree = timed.find(fmt::format("{}/embree", row.measured));
+            if (ours != timed.end() && embree != timed.end())
+                series.points.push_back(ratio_to_embree(row.shown, ours->second, embree->second));
+        }
         if (!series.points.empty()) chart.series.push_back(std::move(series));
     }
     return chart;

@@ -5,7 +5,9 @@
 //                   --benchmark_format=json each round is a document of its own.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <charconv>
+#include <memory>
 #include <string_view>
 
 #include "step_4_subjects.h"
@@ -30,16 +32,23 @@ bool take_number(std::string_view option, int& argc, char** argv, std::size_t& n
     return good;
 }
 
+/// A reporter for each round: Google Benchmark 1.7.1 crashes when it is to use its own one twice.
+std::unique_ptr<benchmark::BenchmarkReporter> make_reporter(bool json) {
+    if (json) return std::make_unique<benchmark::JSONReporter>();
+    return std::make_unique<benchmark::ConsoleReporter>();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     std::size_t most = 1'000'000, rounds = 1;
     bool understood = take_number("--most=", argc, argv, most);
     understood = take_number("--rounds=", argc, argv, rounds) && understood;
+    const bool json = std::find(argv, argv + argc, std::string_view("--benchmark_format=json")) != argv + argc;
     benchmark::Initialize(&argc, argv);
     if (!understood || benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     rays::bench::add_structures(most);
     for (std::size_t round = 0; round < rounds; ++round)
-        if (benchmark::RunSpecifiedBenchmarks() == 0) return 2;
+        if (benchmark::RunSpecifiedBenchmarks(make_reporter(json).get()) == 0) return 2;
     return 0;
 }

@@ -15,7 +15,7 @@
 namespace rays::bench {
 namespace {
 
-constexpr std::size_t kFewest = 10, kFewestForAny = 100'000;
+constexpr std::size_t kFewest = 10, kFewestForAny = 500'000;
 
 /// Bodies with their rays and all structures over them. Each is made when first asked for: a filter leaves much out.
 class Stage {

@@ -9,7 +9,7 @@ namespace rays::bench {
 /// flake:
 ///
 ///     nearest/RAYS/BODIES/STRUCTURE    e.g. nearest/bounced/spheres/1000/bvh
-///     any/RAYS/BODIES/STRUCTURE        only for 10^5 bodies and more
+///     any/RAYS/BODIES/STRUCTURE        only for 500 000 bodies and more
 ///     build/BODIES/STRUCTURE           time of all threads together
 ///
 /// RAYS is primary or bounced, BODIES spheres/N, triangles/N or flake. Counters: rays and bodies of an iteration; for
