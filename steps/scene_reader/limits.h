@@ -34,7 +34,7 @@ inline constexpr std::size_t kMostNotes = 100;
 /// that loops compute is read in three seconds, and nothing small takes five. Beyond, an object still buys what a sphere
 /// in a loop costs: a scene of ten million objects is large, not hostile, and `kMostObjects` ends it.
 inline constexpr std::int64_t kIdleWork = 40'000'000;
-inline constexpr std::int64_t kMostWorkForObjects = 200'000'000;
+inline constexpr std::int64_t kMostWorkForObjects = 150'000'000;
 /// Work of all readings after the first (see tabulate.h).
 inline constexpr std::int64_t kWorkAgain = 60'000'000;
 inline constexpr std::int64_t kWorkPerByte = 4;

@@ -55,14 +55,26 @@ struct Item {
 
 class Builder {
 public:
-    Builder(const Scene& scene, const std::vector<Primitive>& primitives, std::vector<Item> items)
-        : scene_(scene), primitives_(primitives), items_(std::move(items)), nodes_(2 * items_.size()) {
+    /// At most `most_in_block` triangles or spheres go into a leaf, up to kWidth.
+    Builder(const Scene& scene, const std::vector<Primitive>& primitives, std::vector<Item> items,
+            std::uint32_t most_in_block)
+        : scene_(scene),
+          primitives_(primitives),
+          items_(std::move(items)),
+          nodes_(2 * items_.size()),
+          most_in_block_(most_in_block) {
         if (!items_.empty()) split(0, 0, static_cast<std::uint32_t>(items_.size()), 0);
     }
 
     Tree collapsed() {
         Tree tree;
         if (!items_.empty()) collapse(0, tree);
+        items_ = {};
+        nodes_ = {};
+        tree.nodes.shrink_to_fit();
+        tree.lists.shrink_to_fit();
+        tree.triangles.shrink_to_fit();
+        tree.spheres.shrink_to_fit();
         return tree;
     }
 
@@ -88,7 +100,7 @@ private:
 
     /// Of asking a primitive, where opening a pair of boxes is 1; measured (NOTES.md).
     static constexpr float cost_of(LeafKind kind) { return kind == LeafKind::list ? 1.0f : 0.3f; }
-    static constexpr std::uint32_t most_in_leaf(LeafKind kind) { return kind == LeafKind::list ? 2 : kWidth; }
+    std::uint32_t most_in_leaf(LeafKind kind) const { return kind == LeafKind::list ? 2 : most_in_block_; }
 
     // A subtree of n items needs at most 2 n - 1 nodes, so the place of each follows from where its items begin:
     // threads share nothing, and the tree does not depend on them.
@@ -244,6 +256,7 @@ private:
     const std::vector<Primitive>& primitives_;
     std::vector<Item> items_;
     std::vector<BinaryNode> nodes_;
+    std::uint32_t most_in_block_;
 };
 
 }  // namespace rays::wide
