@@ -57,10 +57,14 @@ inline std::string lamp(Dice& d, const std::string& more = "shadowless") {
 /// A scene of a task: what stands in it, and what lights it. Global settings among the things add to the usual ones.
 struct Recipe {
     std::function<std::string(Dice&)> things, lamps = [](Dice&d) { return lamp(d); };
+    /// Single rays through it tell mistakes apart. Not so where only a structure that is asked for by name makes them.
+    bool probes = true;
 };
 using Recipes = std::map<std::string, Recipe>;  ///< by task
 
 /// The recipes of step 3.
 void add_recursion(Recipes& recipes);
+/// And of step 4.
+void add_partitioning(Recipes& recipes);
 
 }  // namespace rays::grader::fresh

@@ -223,6 +223,7 @@ const Recipes& recipes() {
           [](Dice& d) { return lamp(d, "") + lamp(d, "") + spot(d); }}},
     };
         add_recursion(all);
+        add_partitioning(all);
         return all;
     }();
     return table;
@@ -259,9 +260,10 @@ std::optional<FreshScene> fresh_scene(const std::string& task, std::uint64_t see
 std::vector<Question> probe_questions(const std::vector<std::string>& tasks, std::uint64_t seed) {
     std::vector<Question> questions;
     for (const std::string& task : tasks) {
+        const auto recipe = recipes().find(task);
+        if (recipe == recipes().end() || !recipe->second.probes) continue;
         for (std::uint64_t i = 0; i < kProbeScenes; ++i) {
             const auto scene = fresh_scene(task, seed + i);
-            if (!scene) break;
             for (const std::string& ray : scene->rays)
                 questions.push_back({task, scene->sdl, "radiance " + ray, "a ray through a fresh scene", {}});
         }

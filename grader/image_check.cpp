@@ -216,14 +216,14 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
         const FreshTruth truth = fresh_truth(bench, task.id, i);
         Check one = check;
         one.image.emplace().scene = fmt::format("fresh scene {} of task {}", i + 1, task.id);
-        one.image->partition = bench.step.partition;
+        one.image->partition = task.partition;
         if (truth.against) {
             check.verdict = Verdict::infrastructure_error;
             check.message = "the solution cannot render a fresh scene: " + truth.against->message;
             return check;
         }
         const Shot shot = shoot(bench.sandbox, bench.student, truth.files, {kFreshWidth, kFreshHeight}, bench.limits,
-                                options_of(bench.step.partition));
+                                options_of(task.partition));
         judge({bench, bench.student, truth.files, truth.truth, kFreshTolerance, kLeastAllowed}, shot, one);
         check.seconds += one.seconds;
         right += one.verdict == Verdict::pass;

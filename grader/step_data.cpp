@@ -23,7 +23,7 @@ json parse(const fs::path& file) {
     }
 }
 
-Task task_of(const json& j) {
+Task task_of(const json& j, const Step& step) {
     Task task;
     task.id = j.at("id");
     task.title = j.at("title");
@@ -31,6 +31,7 @@ Task task_of(const json& j) {
     task.rubric = j.value("rubric", "");
     task.file = j.value("file", "");
     task.hints = j.value("hints", std::vector<std::string>{});
+    task.partition = j.value("partition", step.partition);
     return task;
 }
 
@@ -52,7 +53,7 @@ Step step_of(const fs::path& folder) {
     step.title = j.at("title");
     step.folder = folder;
     step.partition = j.value("partition", "");
-    for (const json& t : j.at("tasks")) step.tasks.push_back(task_of(t));
+    for (const json& t : j.at("tasks")) step.tasks.push_back(task_of(t, step));
     for (const json& s : j.at("scenes")) step.scenes.push_back(scene_of(s, step));
     for (const SceneTask& s : step.scenes)
         for (const std::string& t : s.tasks)

@@ -13,6 +13,7 @@ struct Task {
     std::string rubric;  ///< the row of rubric.json it counts for; may be empty
     std::string file;    ///< within the step's folder
     std::vector<std::string> hints;
+    std::string partition;  ///< with which structure its fresh scenes are rendered
 };
 
 /// A scene whose picture is held against its reference.
@@ -28,7 +29,7 @@ struct Step {
     int number = 0;
     std::string id, title;
     std::filesystem::path folder;
-    std::string partition;  ///< of fresh pictures, and of scenes that do not say otherwise
+    std::string partition;  ///< of tasks and scenes that do not say otherwise
     std::vector<Task> tasks;
     std::vector<SceneTask> scenes;
 
