@@ -24,6 +24,12 @@ struct SceneTask {
     std::string partition;  ///< with which structure it is rendered: "grid"; empty: as the program chooses
 };
 
+/// A scene of which maps are drawn of what every pixel costs.
+struct CostTask {
+    std::string scene;
+    std::vector<std::string> structures;  ///< "none", "grid", "octree", "bvh": in this order
+};
+
 struct Step {
     int number = 0;
     std::string id, title;
@@ -31,6 +37,7 @@ struct Step {
     std::string partition;  ///< of fresh pictures, and of scenes that do not say otherwise
     std::vector<Task> tasks;
     std::vector<SceneTask> scenes;
+    std::vector<CostTask> cost_maps;  ///< no points depend on them
 
     const Task* find(const std::string& task) const;
     double points() const;  ///< of all tasks and scenes
