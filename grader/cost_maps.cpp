@@ -25,8 +25,8 @@ using nlohmann::json;
 
 constexpr Raster kRaster{160, 120};
 constexpr const char* kFile = "costs.exr";
-/// A page shows no more cells than that; a grid of a thousand cells each way has 3000 along a ray.
-constexpr std::size_t kMostCells = 400;
+/// A drawing shows no more cells than that; a grid of a thousand cells each way has 3000 along a ray.
+constexpr std::size_t kMostCells = 200;
 /// Several times what the slowest map takes. A structure that never ends must not hold up the grades.
 constexpr double kSeconds = 12;
 
