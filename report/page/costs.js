@@ -94,7 +94,7 @@ R.costReadout = (view) => {
         if (view.x === null) return;
         const worst = view.worst?.x === view.x && view.worst?.y === view.y ? " (the worst)" : "";
         const sides = [...new Set(view.maps.map((map) => map.whose))];
-        const values = view.maps.filter((map) => map.picture).map((map) => `${sides.length > 1 ? `${R.whoseName(map.whose)}'s ` : ""}${R.structureName(map.structure).toLowerCase().replace("bvh", "BVH")} ${R.counted(view.at(map, 0), "test")}, ${R.counted(view.at(map, 1), "node")}`);
+        const values = view.maps.filter((map) => map.picture).map((map) => `${sides.length > 1 ? `${R.whoseName(map.whose)}'s ` : ""}${R.structureName(map.structure).toLowerCase().replace("bvh", "BVH")} ${R.costKinds.filter((kind) => !R.costMissing(map, kind)).map((kind) => R.counted(view.at(map, kind.lane), kind.key.slice(0, -1))).join(", ")}`);
         readout.replaceChildren(R.h("b", {text: `Pixel ${view.x}, ${view.y}${worst}`}), ` ${values.join("; ")}`);
     });
     return readout;
