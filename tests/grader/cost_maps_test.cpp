@@ -18,13 +18,14 @@ namespace fs = std::filesystem;
 
 constexpr Raster kRaster{160, 120};
 
-/// A map of `tests` everywhere but for ten times as many at (7, 5), and half as many nodes.
+/// A map of `tests` everywhere but for ten times as many at one pixel, and half as many nodes.
 std::string map_bytes(float tests, Raster raster = kRaster,
-                      const std::vector<std::string>& channels = {"tests", "nodes"}) {
+                      const std::vector<std::string>& channels = {"tests", "nodes"},
+                      std::pair<int, int> dear = {7, 5}) {
     Film film(raster);
     for (int y = 0; y < raster.height; ++y)
         for (int x = 0; x < raster.width; ++x) {
-            const float here = x == 7 && y == 5 ? 10 * tests : tests;
+            const float here = std::pair(x, y) == dear ? 10 * tests : tests;
             film.at(x, y) = Radiance(here, here / 2, 0.0f);
         }
     const TemporaryFolder folder;
@@ -46,17 +47,24 @@ protected:
         return step;
     }
 
-    /// Answers every question: with its map, its cells, and a ray.
+    /// Answers every question: with its map (another one for no structure), its cells, and a ray.
     static std::string answering(const TemporaryFolder& folder, const std::string& cells) {
-        return "case \"$*\" in\n*--visited*) echo '{\"tests\":1,\"nodes\":1,\"visited\":" + cells +
+        const std::string map = (folder.path() / "map").string();
+        return "case \"$*\" in\n"
+               "*--visited*) echo '{\"tests\":1,\"nodes\":1,\"visited\":" +
+               cells +
                "}' ;;\n"
                "*--explain*) echo '{\"queries\":[{\"origin\":[1,2,3],\"direction\":[0,0,1],\"hit\":{\"t\":4.5}}]}' ;;\n"
+               "*--partition?none*) cp " +
+               map +
+               ".none costs.exr ;;\n"
                "*) cp " +
-               (folder.path() / "map").string() + " costs.exr ;;\nesac";
+               map + " costs.exr ;;\nesac";
     }
 
     fs::path program(const TemporaryFolder& folder, const std::string& map, const std::string& text) const {
         write_atomically(folder.path() / "map", map);
+        write_atomically(folder.path() / "map.none", map_bytes(1000, kRaster, {"tests", "nodes"}, {1, 1}));
         return script(folder, text);
     }
 
@@ -73,6 +81,8 @@ protected:
         const CostMap grid = scenes.at(0).maps.at(1);
         EXPECT_EQ(grid.whose, "student");
         EXPECT_EQ(grid.structure, "grid");
+        EXPECT_EQ(std::pair(scenes[0].x, scenes[0].y), std::pair(7, 5))
+            << "the pixel is dear to the solution's structure";
         // Whatever a student's program does, the solution's maps are there.
         EXPECT_TRUE(fs::exists(out.path() / scenes.at(0).maps.at(3).file) && !scenes.at(0).maps.at(3).file.empty());
         return grid;
@@ -99,7 +109,8 @@ TEST_F(CostMapsTest, TheSolutionAloneHasOneRow) {
 }
 
 TEST_F(CostMapsTest, AStudentsRowStandsBesideTheSolutions) {
-    const CostMap grid = students_grid(map_bytes(20), answering(student_folder, "[[0,0,0,1,1,1],[0,0,1,1,1,2]]"));
+    const CostMap grid = students_grid(map_bytes(20, kRaster, {"tests", "nodes"}, {90, 90}),
+                                       answering(student_folder, "[[0,0,0,1,1,1],[0,0,1,1,1,2]]"));
     EXPECT_EQ(grid.verdict, Verdict::pass) << grid.message;
     EXPECT_EQ(grid.tests.max, 200);
     EXPECT_EQ(grid.cells.size(), 2u);
