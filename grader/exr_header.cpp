@@ -1,6 +1,8 @@
 // The header of an OpenEXR file, read strictly ("OpenEXR File Layout", openexr.com).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -60,7 +62,7 @@ std::optional<Window> window(std::string_view value) {
 }
 
 // name\0 type(4) linear(1) reserved(3) xSampling(4) ySampling(4), ended by an empty name
-std::string channel_problem(std::string_view value) {
+std::string channel_problem(std::string_view value, const ChannelNames& wanted) {
     Bytes in(value);
     std::set<std::string, std::less<>> names;
     for (;;) {
@@ -73,13 +75,15 @@ std::string channel_problem(std::string_view value) {
         if (*x != 1 || *y != 1) return "its channels are subsampled";
         names.emplace(*name);
     }
-    if (names.count("R") && names.count("G") && names.count("B") && names.size() <= 4) return {};
-    return "its channels are not R, G, B";
+    const bool all =
+        std::all_of(wanted.begin(), wanted.end(), [&](const auto& name) { return names.count(name) == 1; });
+    if (all && names.size() <= wanted.size() + 1) return {};
+    return fmt::format("its channels are not {}", fmt::join(wanted, ", "));
 }
 
 }  // namespace
 
-std::string exr_header_problem(std::string_view bytes, int width, int height) {
+std::string exr_header_problem(std::string_view bytes, int width, int height, const ChannelNames& channel_names) {
     Bytes in(bytes);
     const auto magic = in.u32(), version = in.u32();
     if (!magic || *magic != kMagic) return "is not an OpenEXR file";
@@ -104,7 +108,7 @@ std::string exr_header_problem(std::string_view bytes, int width, int height) {
         if (*name == "displayWindow") display = window(*value);
         if (*name == "channels") {
             channels = true;
-            if (const std::string problem = channel_problem(*value); !problem.empty())
+            if (const std::string problem = channel_problem(*value, channel_names); !problem.empty())
                 return "is no picture of ours: " + problem;
         }
     }

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "grader/answers.h"
+#include "grader/cost_maps.h"
 #include "grader/course.h"
 #include "grader/student_build.h"
 #include "grader/verdicts.h"
@@ -262,6 +263,7 @@ StepResult grade_step(const StepOrder& order) {
         forgive_unwritten_tasks(result.checks);
         add_mutant(order, result.checks);
         add_hints(step, result.checks);
+        result.cost_maps = map_costs(order.bench, order.workers);
     }
     add_reproduce(order, result.checks);
     std::vector<Verdict> verdicts;

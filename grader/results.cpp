@@ -114,15 +114,36 @@ Json json_of(const TaskResult& t) {
     return j;
 }
 
+Json json_of(const Spread& s) { return {{"mean", rounded(s.mean)}, {"max", s.max}}; }
+
+Json json_of(const CostMap& m) {
+    Json j{{"structure", m.structure}, {"whose", m.whose}, {"verdict", to_string(m.verdict)}};
+    if (!m.message.empty()) j["message"] = m.message;
+    if (m.file.empty()) return j;
+    j.update({{"file", m.file}, {"tests", json_of(m.tests)}, {"nodes", json_of(m.nodes)}, {"cells", m.cells}});
+    if (m.cells_left_out > 0) j["cells_left_out"] = m.cells_left_out;
+    return j;
+}
+
+Json json_of(const CostScene& s) {
+    Json j{{"scene", s.scene}, {"width", s.width}, {"height", s.height}};
+    j["ray"] = {{"x", s.x}, {"y", s.y}, {"origin", s.origin}, {"direction", s.direction}};
+    if (s.distance) j["ray"]["distance"] = number(*s.distance);
+    j["maps"] = list(s.maps);
+    return j;
+}
+
 Json json_of(const StepResult& s) {
-    return {{"id", s.id},
-            {"number", s.number},
-            {"title", s.title},
-            {"verdict", to_string(s.verdict)},
-            {"points", rounded(s.points)},
-            {"max", s.max},
-            {"tasks", list(s.tasks)},
-            {"checks", list(s.checks)}};
+    Json j{{"id", s.id},
+           {"number", s.number},
+           {"title", s.title},
+           {"verdict", to_string(s.verdict)},
+           {"points", rounded(s.points)},
+           {"max", s.max},
+           {"tasks", list(s.tasks)},
+           {"checks", list(s.checks)}};
+    if (!s.cost_maps.empty()) j["cost_maps"] = list(s.cost_maps);
+    return j;
 }
 
 Json json_of(const HandedIn& h) {

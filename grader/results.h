@@ -1,6 +1,7 @@
 // The result of a grading run: plain data, and its one canonical form, results.json (schema raysteps-results/1).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -78,6 +79,34 @@ struct Check {
 /// A check that has found nothing yet.
 Check new_check(std::string id, std::string task, std::string kind, std::string title, double max);
 
+/// Mean and maximum over all pixels.
+struct Spread {
+    double mean = 0, max = 0;
+};
+
+/// What every pixel of a scene costs with one structure, and what one camera ray visits there.
+struct CostMap {
+    std::string structure;            ///< "none", "grid", "octree" or "bvh"
+    std::string whose;                ///< "solution" or "student"
+    Verdict verdict = Verdict::pass;  ///< no points depend on it; all but pass: there is no map
+    std::string message{};            ///< why there is none
+    std::string file{};               ///< EXR with the channels tests, nodes; relative to the folder of results.json
+    Spread tests{}, nodes{};          ///< primitives asked, and cells or nodes visited, by all rays of a pixel
+    /// Least and greatest corner of what the ray of the scene visits, in this order.
+    std::vector<std::array<double, 6>> cells{};
+    std::size_t cells_left_out = 0;  ///< visited after these
+};
+
+/// A scene in several structures, for the pixel on which they spend most.
+struct CostScene {
+    std::string scene;
+    int width = 0, height = 0;
+    int x = 0, y = 0;                             ///< the pixel
+    std::array<double, 3> origin{}, direction{};  ///< of its camera ray
+    std::optional<double> distance{};             ///< to what it hits
+    std::vector<CostMap> maps{};
+};
+
 struct TaskResult {
     std::string id, title;
     Verdict verdict = Verdict::fail;
@@ -93,6 +122,7 @@ struct StepResult {
     double points = 0, max = 0;
     std::vector<TaskResult> tasks;
     std::vector<Check> checks;
+    std::vector<CostScene> cost_maps{};  ///< of steps that have structures
 };
 
 /// Pictures and report, judged by grader/submission.

@@ -13,7 +13,9 @@ namespace fs = std::filesystem;
 constexpr const char* kPicture = "picture.exr";
 constexpr const char* kStats = "stats.json";
 
-Job job_for(const fs::path& program, const SceneFiles& files, Raster raster, const Limits& limits) {
+}  // namespace
+
+Job render_job(const fs::path& program, const SceneFiles& files, Raster raster, const Limits& limits) {
     Job job;
     job.program = program;
     job.files = files;
@@ -25,8 +27,6 @@ Job job_for(const fs::path& program, const SceneFiles& files, Raster raster, con
     return job;
 }
 
-}  // namespace
-
 SceneFiles scene_files(const fs::path& scene) {
     SceneFiles files{{scene.filename().string(), read_file(scene)}};
     const fs::path povray = "/usr/share/povray-3.7/include";
@@ -37,7 +37,7 @@ SceneFiles scene_files(const fs::path& scene) {
 
 Shot shoot(const Sandbox& sandbox, const fs::path& program, const SceneFiles& files, Raster raster,
            const Limits& limits, const std::vector<std::string>& options) {
-    Job job = job_for(program, files, raster, limits);
+    Job job = render_job(program, files, raster, limits);
     job.arguments.insert(job.arguments.end(), options.begin(), options.end());
     for (const char* argument : {"-o", kPicture, "--stats", kStats}) job.arguments.emplace_back(argument);
     job.outputs = {kPicture, kStats};
@@ -61,7 +61,7 @@ Shot shoot(const Sandbox& sandbox, const fs::path& program, const SceneFiles& fi
 
 std::string ray_tree(const Sandbox& sandbox, const fs::path& program, const SceneFiles& files, Raster raster, int x,
                      int y, bool json, const Limits& limits, const std::vector<std::string>& options) {
-    Job job = job_for(program, files, raster, limits);
+    Job job = render_job(program, files, raster, limits);
     job.arguments.insert(job.arguments.end(), options.begin(), options.end());
     job.arguments.push_back("--explain");
     job.arguments.push_back(fmt::format("{},{}", x, y));

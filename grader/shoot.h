@@ -17,6 +17,9 @@ using SceneFiles = std::vector<InputFile>;
 /// Reads the scene and its includes. What POV-Ray's own folder provides stays there. Throws InputError.
 SceneFiles scene_files(const std::filesystem::path& scene);
 
+/// A run of a render program on these files; the caller adds arguments and outputs.
+Job render_job(const std::filesystem::path& program, const SceneFiles& files, Raster raster, const Limits& limits);
+
 struct Shot {
     std::optional<Finding> against;  ///< why there is no picture
     RgbImage picture;

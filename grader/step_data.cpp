@@ -55,6 +55,8 @@ Step step_of(const fs::path& folder) {
     step.partition = j.value("partition", "");
     for (const json& t : j.at("tasks")) step.tasks.push_back(task_of(t, step));
     for (const json& s : j.at("scenes")) step.scenes.push_back(scene_of(s, step));
+    if (j.contains("cost_maps"))
+        for (const json& c : j.at("cost_maps")) step.cost_maps.push_back({c.at("scene"), c.at("structures")});
     for (const SceneTask& s : step.scenes)
         for (const std::string& t : s.tasks)
             if (!step.find(t))

@@ -25,6 +25,12 @@ struct SceneTask {
     std::string partition;  ///< with which structure it is rendered: "grid"; empty: as the program chooses
 };
 
+/// A scene of which maps are drawn of what every pixel costs.
+struct CostTask {
+    std::string scene;
+    std::vector<std::string> structures;  ///< "none", "grid", "octree", "bvh": in this order
+};
+
 struct Step {
     int number = 0;
     std::string id, title;
@@ -32,6 +38,7 @@ struct Step {
     std::string partition;  ///< of tasks and scenes that do not say otherwise
     std::vector<Task> tasks;
     std::vector<SceneTask> scenes;
+    std::vector<CostTask> cost_maps;  ///< no points depend on them
 
     const Task* find(const std::string& task) const;
     double points() const;  ///< of all tasks and scenes

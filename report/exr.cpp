@@ -27,9 +27,13 @@ Picture channels(const std::vector<float>& values, const OIIO::ImageSpec& spec, 
     return picture;
 }
 
-}  // namespace
+/// All channels of a file that has a picture's size.
+struct Channels {
+    OIIO::ImageSpec spec;
+    std::vector<float> values;
+};
 
-Exr read_picture(const std::filesystem::path& file) {
+Channels read_channels(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file)) throw std::runtime_error("there is no picture");
     if (std::filesystem::file_size(file) == 0) throw std::runtime_error("the picture's file is empty");
     const auto input = OIIO::ImageInput::open(file.string());
@@ -47,9 +51,29 @@ Exr read_picture(const std::filesystem::path& file) {
         input->geterror();
         throw std::runtime_error("the picture's pixels cannot be read: the file is damaged or cut off");
     }
+    return {spec, std::move(values)};
+}
+
+}  // namespace
+
+Exr read_picture(const std::filesystem::path& file) {
+    const auto [spec, values] = read_channels(file);
     Exr exr{channels(values, spec, ""), channels(values, spec, "min."), channels(values, spec, "max.")};
     if (exr.frame.rgb.empty()) throw std::runtime_error("the picture lacks one of the channels R, G, B");
     return exr;
+}
+
+Picture read_cost_map(const std::filesystem::path& file) {
+    const auto [spec, values] = read_channels(file);
+    const int tests = spec.channelindex("tests"), nodes = spec.channelindex("nodes");
+    if (tests < 0 || nodes < 0) throw std::runtime_error("the picture lacks one of the channels tests, nodes");
+    Picture picture{spec.width, spec.height, {}};
+    picture.rgb.reserve(3 * picture.pixels());
+    for (std::size_t i = 0; i < picture.pixels(); ++i) {
+        const float* pixel = &values[i * static_cast<std::size_t>(spec.nchannels)];
+        picture.rgb.insert(picture.rgb.end(), {pixel[tests], pixel[nodes], 0.0f});
+    }
+    return picture;
 }
 
 }  // namespace rays::report

@@ -11,6 +11,9 @@ namespace {
 
 using nlohmann::json;
 
+/// Counts up to 2^18 stay whole; a pixel that costs more is told to five digits.
+constexpr int kCountMantissa = 17;
+
 /// IEC 61966-2-1, clamped: what the eye gets to see.
 float displayed(float linear) {
     const float v = std::clamp(linear, 0.0f, 1.0f);
@@ -163,6 +166,26 @@ void PictureStore::embed(json& image, std::size_t room) {
                                                     student.frame.width, student.frame.height, reference->frame.width,
                                                     reference->frame.height));
     });
+}
+
+void PictureStore::embed_costs(json& map, std::size_t room) {
+    map["embedded"] = nullptr;
+    map.erase("note");
+    const std::string file = text_of(map, "file");
+    if (file.empty()) return;
+    try {
+        const Picture costs = read_cost_map(folder_ / file);
+        const std::string key = fingerprint(costs) + " costs";
+        if (!students_.contains(key)) {
+            // As many bits as the largest count needs, if there is room for them.
+            int mantissa = kHalfMantissa;
+            while (mantissa_ > kHalfMantissa && mantissa < kCountMantissa && !exact_with(costs, mantissa)) ++mantissa;
+            students_[key] = keep(costs, encode(costs, mantissa, nullptr, 0), {}, mantissa, room);
+        }
+        map["embedded"] = students_[key];
+    } catch (const std::exception& e) {
+        map["note"] = e.what();
+    }
 }
 
 }  // namespace rays::report

@@ -28,6 +28,10 @@ struct Allowance {
 /// picture, channels missing, or more than 4 million pixels.
 Exr read_picture(const std::filesystem::path& file);
 
+/// What `--cost-map` wrote, as a picture: tests in the first value of a pixel, nodes in the second, 0 in the third.
+/// Throws as read_picture does.
+Picture read_cost_map(const std::filesystem::path& file);
+
 /// Collects the blobs of a page. The same picture is kept once, however many checks show it.
 class PictureStore {
 public:
@@ -39,6 +43,10 @@ public:
     /// "color","base","base_mantissa"}. Never throws for a bad picture: that is a note.
     /// `room` bytes of base64 may be added; a picture that does not fit is left out with a note.
     void embed(nlohmann::json& image, std::size_t room);
+
+    /// The same for a map of results.json's `cost_maps`: map["embedded"] is a blob, or null, and then map["note"] says
+    /// why if there should be one.
+    void embed_costs(nlohmann::json& map, std::size_t room);
 
     struct Blob {
         std::string id, base64;

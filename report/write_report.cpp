@@ -75,16 +75,27 @@ json read_results(const fs::path& file) {
     return results;
 }
 
+/// Calls visit(item) for every object in the list of that name, if there is one.
+template <typename Visit>
+void for_each_in(json& object, const char* list, const Visit& visit) {
+    if (!object.is_object() || !object.contains(list) || !object[list].is_array()) return;
+    for (json& item : object[list])
+        if (item.is_object()) visit(item);
+}
+
 /// Calls work(check) for every check of every step, whatever else the file holds.
 template <typename Work>
 void for_each_check(json& results, const Work& work) {
-    const auto each = [](json& object, const char* key, const auto& visit) {
-        if (!object.is_object() || !object.contains(key) || !object[key].is_array()) return;
-        for (json& item : object[key])
-            if (item.is_object()) visit(item);
-    };
-    each(results, "steps", [&](json& step) { each(step, "checks", work); });
-    if (results.is_object() && results.contains("handed_in")) each(results["handed_in"], "checks", work);
+    for_each_in(results, "steps", [&](json& step) { for_each_in(step, "checks", work); });
+    if (results.is_object() && results.contains("handed_in")) for_each_in(results["handed_in"], "checks", work);
+}
+
+/// Calls work(map) for every cost map of every step.
+template <typename Work>
+void for_each_cost_map(json& results, const Work& work) {
+    for_each_in(results, "steps", [&](json& step) {
+        for_each_in(step, "cost_maps", [&](json& scene) { for_each_in(scene, "maps", work); });
+    });
 }
 
 void shorten_questions(json& check, const Detail& detail) {
@@ -131,13 +142,15 @@ std::string page_with(const report::PageParts& parts, json results, const fs::pa
     const std::size_t fixed = report::assemble(parts, report::for_script(results), {}).size();
     report::PictureStore store(folder, mantissa);
     const auto images = images_by_need(results);
+    std::size_t cost_maps = 0;
+    for_each_cost_map(results, [&](json&) { ++cost_maps; });
     // A blob's description and its element take less than this beside its bytes; so do the notes of a picture.
-    const std::size_t beside = fixed + 600 * images.size() + 2000;
+    const std::size_t beside = fixed + 600 * (images.size() + cost_maps) + 2000;
     const std::size_t budget = kMaxPage - std::min(kMaxPage, beside);
-    for (json* image : images) {
-        const std::size_t room = last_resort ? budget - std::min(budget, store.bytes()) : kMaxPage * 8;
-        store.embed(*image, room);
-    }
+    const auto room = [&] { return last_resort ? budget - std::min(budget, store.bytes()) : kMaxPage * 8; };
+    for (json* image : images) store.embed(*image, room());
+    // No points depend on these: they come last.
+    for_each_cost_map(results, [&](json& map) { store.embed_costs(map, room()); });
     return report::assemble(parts, report::for_script(results), store.blobs());
 }
 

@@ -52,9 +52,16 @@ R.colors = (() => {
     const at = (t) => table[Math.min(255, Math.max(0, Math.floor(t * 256)))];
     const index = (error) => (error <= 1 ? Math.min(127, Math.floor(position(error) * 256)) : Math.min(255, Math.floor(position(error) * 256)));
 
+    // What a pixel costs: the same walk from further down, and nearly black for what costs nothing at all.
+    const costLab = walk([lch(0.24, 0.09, 280), lch(0.42, 0.15, 300), lch(0.56, 0.19, 345), lch(0.68, 0.17, 35), lch(0.8, 0.14, 70), lch(0.96, 0.08, 105)], 256);
+    const costTable = costLab.map(([L, a, b]) => linear(L, a, b).map((v) => Math.round(255 * encode(v))));
+    const NO_COST = [14, 15, 18];
+    /** The colour of a count on the logarithmic scale from 1 to `top`. */
+    const cost = (count, top) => (count > 0 ? costTable[Math.min(255, Math.max(0, Math.floor(256 * Math.log(count) / Math.log(top))))] : NO_COST);
+
     // Linear radiance to a byte: 4096 steps are finer than a display's 256 even in the shadows, where encode() is steepest.
     const bytes = Uint8Array.from({length: 4097}, (_, i) => Math.round(255 * encode(i / 4096)));
     const toByte = (value, gain) => (value !== value ? 0 : bytes[Math.round(4096 * Math.min(1, Math.max(0, value * gain)))]);
 
-    return {lab, table, position, at, index, toByte, DECADES_BELOW, DECADES_ABOVE};
+    return {lab, table, position, at, index, costLab, costTable, cost, toByte, DECADES_BELOW, DECADES_ABOVE};
 })();

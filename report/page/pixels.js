@@ -76,5 +76,5 @@ R.pixels = (() => {
         const reference = await get(embedded.reference);
         return {reference, student: await get(embedded.student)};
     };
-    return {pair};
+    return {get, pair};
 })();

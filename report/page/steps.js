@@ -48,6 +48,8 @@ R.stepSection = (step) => {
         section.append(R.h("div", {class: "group", "data-state": good ? "pass" : "open"},
             R.h("h3", {text: title}), ...R.folded(checks).map(([list, wrap]) => wrap(R.h("div", {class: `checks ${name}`}, ...list.map((check) => R.checkArticle(step, check)))))));
     }
+    const costs = R.costMaps(step);
+    if (costs) section.append(costs);
     if (R.text(step.raw.report)) section.append(R.h("div", {class: "group", "data-state": "open"}, R.h("h3", {text: "The report as it was handed in"}), R.h("div", {class: "notice", text: R.text(step.raw.report)})));
     if (step.checks.length > 0 && step.checks.every((check) => check.tone === "good")) section.append(R.h("p", {class: "all-passed", text: "Everything in this step passed."}));
     return section;
@@ -65,7 +67,7 @@ R.rail = () => {
                     const tone = R.verdict(task.verdict).tone;
                     return R.h("li", {"data-state": tone === "good" ? "pass" : "open"}, link(check ? `#${check.anchor}` : `#${step.anchor}`, R.badge(task.verdict, {small: true}),
                         R.h("span", {text: `${R.text(task.id)} ${R.text(task.title)}`})));
-                })))),
+                }), R.hasCosts(step) && R.h("li", {"data-state": "pass"}, link(`#${step.anchor}-costs`, R.h("span", {text: "What a pixel costs"})))))),
             R.hasSpeed && R.h("li", {"data-state": "pass"}, link("#speed", R.h("span", {text: "Speed against accuracy"}))),
             R.h("li", {}, link("#machine", R.h("span", {text: "Machine and versions"})))),
         R.h("div", {class: "rail-tools"}, R.filterSwitch(), R.expandSwitch(), R.themeSwitch())];

@@ -34,22 +34,25 @@ R.errorCanvas = (scene) => {
     return canvas;
 };
 
+/** Arrow keys move the pixel that is looked at, ten at a time with Shift; W goes to the worst one. */
+R.movePixel = (scene, event) => {
+    const step = event.shiftKey ? 10 : 1;
+    const [dx, dy] = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step]}[event.key] ?? [];
+    if (dx !== undefined) {
+        event.preventDefault();
+        scene.change({x: Math.min(scene.width - 1, Math.max(0, (scene.x ?? 0) + dx)),
+                      y: Math.min(scene.height - 1, Math.max(0, (scene.y ?? 0) + dy))});
+    } else if ((event.key === "w" || event.key === "W") && scene.worst) {
+        scene.change({x: scene.worst.x, y: scene.worst.y});
+    }
+};
+
 R.errorMap = (scene, title) => {
     const box = R.h("div", {class: "stage map", tabindex: "0", role: "application", "aria-roledescription": "pixel inspector",
         "aria-label": `${title}: error map. Arrow keys move the pixel, W goes to the worst one.`,
         style: {"aspect-ratio": `${scene.width} / ${scene.height}`}}, R.errorCanvas(scene), ...R.markers(scene));
     box.addEventListener("pointermove", (event) => scene.change(R.pixelUnder(scene, event, box)));
-    box.addEventListener("keydown", (event) => {
-        const step = event.shiftKey ? 10 : 1;
-        const [dx, dy] = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step]}[event.key] ?? [];
-        if (dx !== undefined) {
-            event.preventDefault();
-            scene.change({x: Math.min(scene.width - 1, Math.max(0, (scene.x ?? 0) + dx)),
-                          y: Math.min(scene.height - 1, Math.max(0, (scene.y ?? 0) + dy))});
-        } else if ((event.key === "w" || event.key === "W") && scene.worst) {
-            scene.change({x: scene.worst.x, y: scene.worst.y});
-        }
-    });
+    box.addEventListener("keydown", (event) => R.movePixel(scene, event));
     return R.h("figure", {class: "errors"}, box, R.errorLegend(scene));
 };
 

@@ -49,6 +49,10 @@ Results full() {
                  8,
                  {{"1.3", "Sphere", Verdict::not_started, 0, 8, "hint", "f", 3}},
                  {c}};
+    CostScene costs{"4_partitioning/x.pov", 160, 120, 3, 4, {1, 2, 3}, {0, 0, 1}, 7.5, {}};
+    costs.maps = {{"grid", "student", Verdict::not_started, "waits for task 4.3"},
+                  {"grid", "solution", Verdict::pass, "", "images/m.exr", {1.5, 9}, {2, 8}, {{0, 0, 0, 1, 1, 1}}, 3}};
+    s.cost_maps = {costs};
     r.steps = {s};
     return r;
 }
@@ -71,6 +75,13 @@ TEST(ResultsJson, TheSchemaIsStrict) {
     j["score"]["points"] = -1;
     j.erase("seed");
     EXPECT_EQ(schema_problems(j, schema()).size(), 4u);
+    j = json::parse(to_json(full()));
+    json& costs = j["steps"][0]["cost_maps"][0];
+    costs["maps"][0]["structure"] = "a list";
+    costs["maps"][1]["cells"][0].push_back(1);
+    costs["maps"][1]["nodes"]["mean"] = -1;
+    costs["ray"].erase("direction");
+    EXPECT_EQ(schema_problems(j, schema()).size(), 4u);
 }
 
 TEST(ResultsJson, RoundsPointsAndKeepsVerdicts) {
@@ -79,6 +90,21 @@ TEST(ResultsJson, RoundsPointsAndKeepsVerdicts) {
     EXPECT_EQ(j["steps"][0]["tasks"][0]["verdict"], "not started");
     EXPECT_TRUE(j["steps"][0]["checks"][0]["image"]["worst"]["student"][0].is_null());
     EXPECT_TRUE(j["steps"][0]["checks"][0]["chart"]["series"][0]["points"][1][1].is_null());
+}
+
+TEST(ResultsJson, CostMapsHaveNumbersOnlyWhereThereIsAFile) {
+    const json costs = json::parse(to_json(full()))["steps"][0]["cost_maps"][0];
+    EXPECT_EQ(costs["ray"]["distance"], 7.5);
+    EXPECT_EQ(costs["maps"][0], (json{{"structure", "grid"},
+                                      {"whose", "student"},
+                                      {"verdict", "not started"},
+                                      {"message", "waits for task 4.3"}}));
+    EXPECT_EQ(costs["maps"][1]["tests"], (json{{"mean", 1.5}, {"max", 9}}));
+    EXPECT_EQ(costs["maps"][1]["cells"][0].size(), 6u);
+    EXPECT_EQ(costs["maps"][1]["cells_left_out"], 3);
+    Results none = full();
+    none.steps[0].cost_maps.clear();
+    EXPECT_FALSE(json::parse(to_json(none))["steps"][0].contains("cost_maps")) << "optional";
 }
 
 TEST(ResultsJson, IsReadBack) {

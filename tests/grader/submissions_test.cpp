@@ -91,6 +91,20 @@ TEST_F(SubmissionsTest, TheSolutionGetsFullMarks) {
         for (const Check& c : step.checks) EXPECT_EQ(c.verdict, Verdict::pass) << c.id << ": " << c.message;
     }
     EXPECT_EQ(r.points, r.max);
+    const auto mapped =
+        std::find_if(r.steps.begin(), r.steps.end(), [](const StepResult& s) { return !s.cost_maps.empty(); });
+    ASSERT_NE(mapped, r.steps.end());
+    for (const CostScene& scene : mapped->cost_maps) {
+        EXPECT_NE(scene.direction, (std::array<double, 3>{})) << scene.scene;
+        for (const CostMap& map : scene.maps) {
+            EXPECT_EQ(map.verdict, Verdict::pass) << map.structure << ": " << map.message;
+            EXPECT_TRUE(fs::exists(out() / map.file)) << map.file;
+            EXPECT_GT(map.tests.max, 0) << map.file;
+            EXPECT_EQ(map.nodes.max > 0, map.structure != "none") << map.file;
+            // These two say which cells a ray visits; the others have none, or keep them to themselves.
+            EXPECT_EQ(!map.cells.empty(), map.structure == "grid" || map.structure == "octree") << map.file;
+        }
+    }
 }
 
 TEST_F(SubmissionsTest, AnUntouchedStarterIsNotStartedOnEveryTask) {
@@ -103,6 +117,11 @@ TEST_F(SubmissionsTest, AnUntouchedStarterIsNotStartedOnEveryTask) {
             EXPECT_GT(t.line, 0) << t.id << ": where to write";
         }
         for (const Check& c : step.checks) EXPECT_EQ(c.verdict, Verdict::not_started) << c.id << ": " << c.message;
+        for (const CostScene& scene : step.cost_maps)
+            for (const CostMap& map : scene.maps)
+                EXPECT_EQ(map.verdict,
+                          map.whose == "student" && map.structure != "none" ? Verdict::not_started : Verdict::pass)
+                    << scene.scene << ", " << map.whose << "'s " << map.structure << ": " << map.message;
     }
 }
 

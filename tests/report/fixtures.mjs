@@ -163,6 +163,28 @@ export const half = () => {
     return {...finished(results), score: {points: 11.06, max: 40}};
 };
 
+/** A student of step 4 whose octree is not written; the maps are make_pictures.cpp's. */
+export const costs = (text = (t) => t) => {
+    const map = (structure, whose, file, more = {}) => ({structure, whose, verdict: "pass", file, tests: {mean: 9600.5, max: 19200}, nodes: {mean: 3.957, max: 7}, cells: [], ...more});
+    const step4 = {id: "4_partitioning", number: 4, title: "Spatial partitioning", verdict: "pass", points: 4, max: 4, tasks: [], checks: [check("4.3", "unit", "The grid", "pass", {questions: questions("4.3", 0)})],
+        cost_maps: [{scene: text("4_partitioning/sphereflake_3.pov"), width: 160, height: 120, ray: {x: 100, y: 30, origin: [0.5, 0.5, -4], direction: [0.6, 0, 0.8], distance: 10}, maps: [
+            map("grid", "student", "pictures/costs-0.exr", {nodes: {mean: 0, max: 0}}),
+            {structure: "octree", whose: "student", verdict: "not started", message: text("waits for task 4.6")},
+            map("grid", "solution", "pictures/costs-1.exr", {cells: [[0, 0, -4, 2, 2, -2], [2, 0, -2, 4, 2, 0], [2, 0, 0, 4, 2, 2], [4, 0, 2, 6, 2, 4], [6, 0, 2, 8, 2, 4]], cells_left_out: 3}),
+            map("octree", "solution", "pictures/costs-2.exr", {cells: [[0, 0, -4, 8, 8, 4]]})]}]};
+    return {...base(), submission: {name: "ada", from: "student"}, score: {points: 4, max: 4}, rubric: [], steps: [step4]};
+};
+
+/** The same by an enemy: files that are none, boxes that are none, words that are markup. */
+export const hostileCosts = () => {
+    const results = costs((t) => HOSTILE + t), [scene] = results.steps[0].cost_maps;
+    const broken = ["absent", "empty", "not-a-picture", "absurd", "student-0-0"].map((name) => ({...scene.maps[2], structure: HOSTILE + name, file: `pictures/${name}.exr`}));
+    scene.maps.push(...broken, null, 7, {structure: 3, cells: "x", tests: [], file: 4, embedded: {id: "results", width: 1e9, height: 1e9}});
+    scene.maps[2].cells.push(null, [1, 2], ["<b>", 0, 0, 1, 1, 1], [0, 0, 0, 1e308, 1e308, 1e308], "x");
+    results.steps[0].cost_maps.push(null, {}, {maps: 3}, {scene: [], ray: {x: -5, y: 1e9, direction: ["a"]}, maps: [{}]});
+    return results;
+};
+
 export const COMPILER = "steps/1_x/file.cpp:57:41: error: 'struct Sphere' has no member named 'centre'\n   57 | int f(Sphere s) { return s.centre; }\n      |                            ^~~~~~\n";
 
 /** The compiler stopped: the same text in every check. */
@@ -223,7 +245,7 @@ export const writeFixtures = async (folder, makePictures) => {
     writeFileSync(join(pictures, "absurd.exr"), absurdExr());
     writeFileSync(join(pictures, "cut.exr"), readFileSync(join(pictures, "student-2-0.exr")).subarray(0, 3000));
     const paths = {};
-    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt, handedIn})) {
+    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt, handedIn, costs, hostileCosts})) {
         paths[name] = join(folder, `${name}.json`);
         writeFileSync(paths[name], JSON.stringify(make()));
     }

@@ -22,7 +22,7 @@ const fits = async (page, width, name) => {
 };
 
 test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise that does not compress", async () => {
-    for (const name of ["good", "wrong", "hostile", "huge"]) assert.ok(sizeOf(name) < 3 * MEGA, `${name}: ${sizeOf(name)} bytes`);
+    for (const name of ["good", "wrong", "hostile", "huge", "costs", "hostileCosts"]) assert.ok(sizeOf(name) < 3 * MEGA, `${name}: ${sizeOf(name)} bytes`);
     const {page, close} = await open("huge");
     assert.ok(await page.locator(".facts .note", {hasText: "left out to keep the page small"}).count() > 0, "what is left out is said");
     assert.equal(await page.locator(".check[data-tone=bad] .stage.map").count(), 1, "the failed check keeps its pixels");
@@ -30,7 +30,7 @@ test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise
 });
 
 test("nothing loads from outside, nothing is logged", async () => {
-    for (const name of ["good", "wrong", "hostile", "huge", "charted", "charts-only", "hostile-charts"]) {
+    for (const name of ["good", "wrong", "hostile", "huge", "charted", "charts-only", "hostile-charts", "costs", "hostileCosts"]) {
         const {page, watch, close} = await open(name);
         await page.locator(".rail-tools .quiet").click();
         await page.waitForTimeout(300);
@@ -292,6 +292,91 @@ test("charts: hostile texts stay texts, a broken file is a notice, nothing overf
     }
 });
 
+test("cost maps: one scale for all, values under the pointer, what is missing is said", async () => {
+    const {page, close} = await open("costs", {width: 1400});
+    const costs = page.locator(".costs");
+    assert.equal(await costs.count(), 1);
+    assert.equal(await page.locator(".rail a[href='#step-0-costs']").count(), 1);
+    assert.deepEqual(await costs.locator(".cost-row h5").allTextContents(), ["Student: tests a pixel", "Solution: tests a pixel", "Student: nodes a pixel", "Solution: nodes a pixel"]);
+    const figure = (kind, whose, structure) => costs.locator(`[data-kind=${kind}][data-whose=${whose}] figure[data-structure=${structure}]`);
+    // The formulas of make_pictures.cpp.
+    const tests = {student: {grid: (x, y) => 1 + x + 160 * y}, solution: {grid: (x) => 1 + x, octree: (x, y) => y % 10}}, TOP = 19200;
+    for (const [whose, structures] of Object.entries(tests)) for (const [structure, count] of Object.entries(structures)) {
+        const [shown, expected] = await figure("tests", whose, structure).locator("canvas").evaluate((c, {values, top}) => [values.map(([x, y]) => [...c.getContext("2d").getImageData(x, y, 1, 1).data].slice(0, 3)), values.map(([, , v]) => R.colors.cost(v, top))],
+            {values: [[0, 0], [5, 0], [159, 0], [30, 40], [7, 119], [159, 119]].map(([x, y]) => [x, y, count(x, y)]), top: TOP});
+        assert.deepEqual(shown, expected, `${whose} ${structure}`);
+    }
+    assert.equal(await figure("tests", "student", "octree").locator(".missing").textContent(), "Not started: waits for task 4.6");
+    assert.match(await figure("nodes", "student", "grid").locator(".missing").textContent(), /^Not counted/);
+    assert.equal(await costs.locator(".cost-maps canvas").count(), 5);
+    assert.match(await figure("tests", "solution", "grid").locator("figcaption").textContent(), /mean 9601, at most 19200/);
+
+    assert.deepEqual(await costs.locator(".tick").allTextContents(), ["1", "10", "100", "1000", "19200"]);
+    assert.match(await costs.locator(".legend").textContent(), /Tests a pixel.*nodes a pixel.*one logarithmic scale/);
+    const tick = await costs.locator(".tick", {hasText: "100"}).first().evaluate((t) => parseFloat(t.style.left));
+    assert.ok(Math.abs(tick - 100 * 2 / Math.log10(TOP)) < 0.01, `the tick of 100 stands at ${tick} %`);
+
+    const here = (...which) => figure(...which).locator(".here-value").textContent();
+    assert.equal(await here("tests", "solution", "grid"), "101", "at first the worst pixel");
+    const stage = figure("tests", "solution", "grid").locator(".stage");
+    await stage.scrollIntoViewIfNeeded();
+    const box = await stage.boundingBox();
+    await page.mouse.move(box.x + 30.5 / 160 * box.width, box.y + 43.5 / 120 * box.height);
+    assert.equal(await here("tests", "solution", "grid"), "31");
+    assert.equal(await here("tests", "student", "grid"), "6911", "the same pixel in all maps");
+    assert.equal(await here("tests", "solution", "octree"), "3");
+    assert.equal(await here("nodes", "solution", "octree"), "4");
+    const readout = costs.locator(".cost-readout");
+    assert.equal(await readout.textContent(), "Pixel 30, 43 Student's grid 6911 tests; Solution's grid 31 tests, 3 nodes; Solution's octree 3 tests, 4 nodes");
+    await costs.locator(".cost-board").focus();
+    for (const key of ["Shift+ArrowDown", "ArrowLeft"]) await page.keyboard.press(key);
+    assert.match(await readout.textContent(), /^Pixel 29, 53 /);
+    await page.keyboard.press("w");
+    assert.match(await readout.textContent(), /^Pixel 100, 30 \(the worst\)/);
+    await close();
+});
+
+test("cost maps: the cells of a ray, seen where the ray moves most", async () => {
+    const {page, close} = await open("costs", {width: 1400});
+    const drawing = page.locator(".cells[data-structure=grid]");
+    assert.equal(await page.locator(".cells").count(), 2);
+    assert.equal(await drawing.locator("rect").count(), 5);
+    assert.match(await drawing.locator("figcaption").textContent(), /^Grid, solution's 8 cells; x to the right, z up; .*the first 5 are drawn$/);
+    assert.equal(await drawing.locator("rect title").first().textContent(), "cell 1 of 8: 0, 0, −4 to 2, 2, −2");
+    // The fixture's ray begins in the first cell and passes through each in turn: the line must cross every rectangle drawn.
+    const crossed = await drawing.evaluate((figure) => {
+        const n = (e, name) => Number(e.getAttribute(name)), line = figure.querySelector("line");
+        const at = (t) => [n(line, "x1") + t * (n(line, "x2") - n(line, "x1")), n(line, "y1") + t * (n(line, "y2") - n(line, "y1"))];
+        return [...figure.querySelectorAll("rect")].map((r) => Array.from({length: 1001}, (_, i) => at(i / 1000)).findIndex(([x, y]) => x >= n(r, "x") && y >= n(r, "y") && x <= n(r, "x") + n(r, "width") && y <= n(r, "y") + n(r, "height")));
+    });
+    assert.ok(crossed[0] === 0 && crossed.every((t, i) => i === 0 || t > crossed[i - 1]), `entered at ${crossed}`);
+    await close();
+});
+
+test("cost maps: an enemy's words stay words, broken files leave out their own map", async () => {
+    const {page, close} = await open("hostileCosts");
+    const seen = await page.evaluate(() => ({pwned: globalThis.pwned, images: document.querySelectorAll("img, iframe").length, text: document.querySelector(".costs").innerText}));
+    assert.equal(seen.pwned, undefined);
+    assert.equal(seen.images, 0);
+    assert.ok(seen.text.includes("</script><script>globalThis.pwned=1</script>"), "shown as it was written");
+    for (const note of ["there is no picture", "the picture's file is empty", "lacks one of the channels tests, nodes", "not a picture that can be read"]) assert.ok(seen.text.includes(note), note);
+    const canvas = page.locator(".costs [data-kind=tests][data-whose=solution] figure[data-structure=grid] canvas");
+    assert.ok(await colorsOf(canvas) > 50, "the maps that are whole are drawn");
+    await close();
+});
+
+test("the scale of costs is even, rises in lightness, and shows 0 apart", async () => {
+    const {page, close} = await open("good");
+    const {lab, colors} = await page.evaluate(() => ({lab: R.colors.costLab, colors: [0, 1, 10, 100, 1e9].map((v) => R.colors.cost(v, 100))}));
+    const steps = lab.slice(1).map((c, i) => Math.hypot(...c.map((v, k) => v - lab[i][k])));
+    assert.ok(Math.max(...steps) < 1.1 * Math.min(...steps), "equal steps look equal (Oklab distance)");
+    lab.slice(1).forEach((c, i) => assert.ok(c[0] > lab[i][0], "lightness rises"));
+    const sum = (c) => c.reduce((a, b) => a + b);
+    assert.ok(sum(colors[0]) < sum(colors[1]) - 30 && sum(colors[1]) < sum(colors[2]) && sum(colors[2]) < sum(colors[3]), `${colors}`);
+    assert.deepEqual(colors[3], colors[4], "nothing lies beyond the top");
+    await close();
+});
+
 test("hostile texts stay texts", async () => {
     const {page, watch, close} = await open("hostile");
     await page.waitForTimeout(300);
@@ -350,7 +435,7 @@ test("light and dark follow the system and the switch", async () => {
 });
 
 test("accessibility: no finding of axe in light and dark", async () => {
-    for (const [name, colorScheme] of [["wrong", "light"], ["wrong", "dark"], ["half", "light"], ["unbuilt", "dark"]]) {
+    for (const [name, colorScheme] of [["wrong", "light"], ["wrong", "dark"], ["half", "light"], ["unbuilt", "dark"], ["costs", "light"], ["costs", "dark"]]) {
         const {page, close} = await open(name, {colorScheme, bypassCSP: true});
         await page.evaluate(axeSource);
         const findings = await page.evaluate(async () => (await axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"]})).violations.map((v) => `${v.id}: ${v.nodes.length} × ${v.nodes[0].html.slice(0, 200)} ${v.nodes[0].failureSummary}`));
@@ -412,7 +497,7 @@ test("diagnosis, trees, questions and commands are there", async () => {
 });
 
 test("nothing overflows on a phone", async () => {
-    for (const name of ["good", "wrong", "hostile"]) {
+    for (const name of ["good", "wrong", "hostile", "costs", "hostileCosts"]) {
         const {page, close} = await open(name, {width: 768, height: 800});
         for (const width of [768, 390, 320]) {
             await fits(page, width, name);
