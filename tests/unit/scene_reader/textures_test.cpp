@@ -7,7 +7,8 @@ namespace {
 const Material& worn(const Scene& scene, std::size_t object) { return scene.materials[scene.objects[object].material]; }
 
 TEST(TextureReader, FinishDefaultsArePovRays) {
-    const Finish& finish = worn(scene_of("sphere { 0, 1 }"), 0).finish;
+    const Scene scene = scene_of("sphere { 0, 1 }");
+    const Finish& finish = worn(scene, 0).finish;
     EXPECT_EQ(finish.ambient[0], 0.1f);
     EXPECT_EQ(finish.diffuse, 0.6f);
     EXPECT_EQ(finish.phong, 0);
