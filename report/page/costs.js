@@ -50,7 +50,7 @@ R.costCanvas = (view, map, kind) => {
 /** Why there is nothing to draw, if there is not. */
 R.costMissing = (map, kind) => {
     if (!map.raw.embedded) return [R.verdict(map.raw.verdict).tone === "good" ? "" : R.verdict(map.raw.verdict).label, R.text(map.raw.note) || R.text(map.raw.message) || "there is no map"].filter(Boolean).join(": ");
-    if (kind.key === "nodes" && !(R.object(map.raw.nodes).max > 0)) return map.structure === "none" ? "Nothing to visit" : "Not counted: add to effort->nodes (effort.h)";
+    if (kind.key === "nodes" && !(R.object(map.raw.nodes).max > 0)) return map.structure === "none" ? "Nothing to visit" : "Not counted (effort.h says how)";
     return "";
 };
 
