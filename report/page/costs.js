@@ -114,7 +114,7 @@ R.costBoard = (view, title) => {
 R.costMaps = (step) => {
     if (!R.hasCosts(step)) return null;
     return R.h("div", {class: "group", "data-state": "pass", id: `${step.anchor}-costs`}, R.h("h3", {text: "What a pixel costs, structure by structure"}),
-        R.h("div", {class: "checks"}, ...R.costScenes(step).map((cost) => {
+        R.h("div", {class: "checks cost-scenes"}, ...R.costScenes(step).map((cost) => {
             const view = R.costView(cost), name = R.sceneName(cost.scene), title = name && name[0].toUpperCase() + name.slice(1);
             return R.h("section", {class: "panel costs"}, R.h("h4", {text: title}), R.costBoard(view, title), R.costReadout(view), R.costScale(view), R.visitedCells(view));
         })));
