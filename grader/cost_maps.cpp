@@ -31,9 +31,11 @@ constexpr std::size_t kMostCells = 200;
 constexpr double kSeconds = 12;
 
 Limits limits_of(const Bench& bench) {
+    // Sanitizers make the same work take several times as long.
+    const double slower = bench.project.sanitized() ? 10 : 1;
     Limits limits = bench.limits;
-    limits.cpu_s = std::min(limits.cpu_s, kSeconds);
-    limits.wall_s = std::min(limits.wall_s, 2 * kSeconds);
+    limits.cpu_s = slower * std::min(limits.cpu_s, kSeconds);
+    limits.wall_s = slower * std::min(limits.wall_s, 3 * kSeconds);
     return limits;
 }
 

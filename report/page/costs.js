@@ -50,7 +50,7 @@ R.costCanvas = (view, map, kind) => {
 /** Why there is nothing to draw, if there is not. */
 R.costMissing = (map, kind) => {
     if (!map.raw.embedded) return [R.verdict(map.raw.verdict).tone === "good" ? "" : R.verdict(map.raw.verdict).label, R.text(map.raw.note) || R.text(map.raw.message) || "there is no map"].filter(Boolean).join(": ");
-    if (kind.key === "nodes" && !(R.object(map.raw.nodes).max > 0)) return map.structure === "none" ? "Nothing to visit" : "Not counted: add to effort->nodes (effort.h)";
+    if (kind.key === "nodes" && !(R.object(map.raw.nodes).max > 0)) return map.structure === "none" ? "Nothing to visit" : "Not counted (effort.h says how)";
     return "";
 };
 
@@ -114,7 +114,7 @@ R.costBoard = (view, title) => {
 R.costMaps = (step) => {
     if (!R.hasCosts(step)) return null;
     return R.h("div", {class: "group", "data-state": "pass", id: `${step.anchor}-costs`}, R.h("h3", {text: "What a pixel costs, structure by structure"}),
-        R.h("div", {class: "checks"}, ...R.costScenes(step).map((cost) => {
+        R.h("div", {class: "checks cost-scenes"}, ...R.costScenes(step).map((cost) => {
             const view = R.costView(cost), name = R.sceneName(cost.scene), title = name && name[0].toUpperCase() + name.slice(1);
             return R.h("section", {class: "panel costs"}, R.h("h4", {text: title}), R.costBoard(view, title), R.costReadout(view), R.costScale(view), R.visitedCells(view));
         })));

@@ -333,6 +333,9 @@ test("cost maps: one scale for all, values under the pointer, what is missing is
     assert.match(await readout.textContent(), /^Pixel 29, 53 /);
     await page.keyboard.press("w");
     assert.match(await readout.textContent(), /^Pixel 100, 30 \(the worst\)/);
+    await page.emulateMedia({media: "print"});
+    const [panel, group] = [await costs.boundingBox(), await page.locator("#step-0-costs").boundingBox()];
+    assert.ok(panel.width > 0.95 * group.width, "on paper the maps have the whole width");
     await close();
 });
 
