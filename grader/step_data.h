@@ -13,7 +13,7 @@ struct Task {
     std::string rubric;  ///< the row of rubric.json it counts for; may be empty
     std::string file;    ///< within the step's folder
     std::vector<std::string> hints;
-    std::string partition;  ///< with which structure its fresh scenes are rendered
+    std::string partition{};  ///< with which structure its fresh scenes are rendered
 };
 
 /// A scene whose picture is held against its reference.
