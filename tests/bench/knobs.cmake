@@ -31,6 +31,7 @@ function(add_varied_program target step file copy sources libraries)
     get_filename_component(name ${file} NAME)
     add_executable(${target} EXCLUDE_FROM_ALL ${sources} ${copy}
         $<FILTER:$<TARGET_OBJECTS:solution_${step}>,EXCLUDE,/${name}.o$>)
+    target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/solutions)  # as the solutions' own
     target_link_libraries(${target} PRIVATE ${libraries})
 endfunction()
 
