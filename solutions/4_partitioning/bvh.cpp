@@ -92,6 +92,10 @@ private:
         float enters;
         Child child;
     };
+    struct Stack {
+        Open open[8 * 80];  ///< splits stop being uneven at depth 64; then halves of 2^32 items
+        int size = 0;
+    };
 
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
         if (!is_ray(ray)) return std::nullopt;
@@ -150,40 +154,44 @@ private:
                 if (ask(list[k], box_ray, far)) return true;
             return false;
         };
-        Open stack[kStackSize];
-        int size = 0;
-        Open open{0, Child(Child::Kind::node, 0)};
-        for (;;) {
-            bool met = true;
-            while (met && open.child.kind() == Child::Kind::node) {
-                if (effort) [[unlikely]]
-                    ++effort->nodes;
-                const Node& node = tree_.nodes[open.child.place()];
-                alignas(32) float enters[kWidth];
-                unsigned mask = box_ray.meets(node, enters);
-                met = mask != 0;
-                if (!met) break;
-                // The nearest stays in hand, the others wait: nearer ones on top, when sorted.
-                int i = std::countr_zero(mask);
-                open = {enters[i], node.child[i]};
-                [[maybe_unused]] const int first = size;
-                while (mask &= mask - 1) {
-                    i = std::countr_zero(mask);
-                    Open next{enters[i], node.child[i]};
-                    if (sorted && next.enters < open.enters) std::swap(next, open);
-                    int place = size++;
-                    if constexpr (sorted)
-                        for (; place > first && stack[place - 1].enters < next.enters; --place)
-                            stack[place] = stack[place - 1];
-                    stack[place] = next;
-                }
-            }
-            if (met && ask_leaf(open.child)) return true;
+        Stack stack;
+        for (Open open{0, Child(Child::Kind::node, 0)};;) {
+            if (descend<sorted>(box_ray, open, stack) && ask_leaf(open.child)) return true;
             do {
-                if (size == 0) return false;
-                open = stack[--size];
+                if (stack.size == 0) return false;
+                open = stack.open[--stack.size];
             } while (open.enters > far);
         }
+    }
+
+    /// Down from `open` to a leaf, always to the nearest child when sorted; the other children that the ray meets wait
+    /// on the stack, nearer ones on top. False when it meets no leaf: then there is nothing in hand.
+    template <bool sorted>
+    bool descend(const BoxRay& box_ray, Open& open, Stack& stack) const {
+        while (open.child.kind() == Child::Kind::node) {
+            if (effort) [[unlikely]]
+                ++effort->nodes;
+            const Node& node = tree_.nodes[open.child.place()];
+            alignas(32) float enters[kWidth];
+            unsigned mask = box_ray.meets(node, enters);
+            if (mask == 0) return false;
+            const auto next_child = [&] {
+                const int i = std::countr_zero(mask);
+                mask &= mask - 1;
+                return Open{enters[i], node.child[i]};
+            };
+            open = next_child();
+            for (const int first = stack.size; mask != 0;) {
+                Open other = next_child();
+                if (sorted && other.enters < open.enters) std::swap(other, open);
+                int place = stack.size++;
+                if constexpr (sorted)
+                    for (; place > first && stack.open[place - 1].enters < other.enters; --place)
+                        stack.open[place] = stack.open[place - 1];
+                stack.open[place] = other;
+            }
+        }
+        return true;
     }
 
     /// Boxes are for rays that go forward. Whoever looks back is rare enough to be asked everything.
@@ -195,8 +203,6 @@ private:
             if (ask(i, box_ray, far)) return true;
         return false;
     }
-
-    static constexpr int kStackSize = 8 * 80;  ///< splits stop being uneven at depth 64; then halves of 2^32 items
 
     PrimitiveTester tester_;
     const std::uint64_t number_ = next_number();

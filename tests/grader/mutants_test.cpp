@@ -92,6 +92,15 @@ TEST(CommittedMutants, ApplyToTheSolutions) {
     }
 }
 
+TEST(CommittedSteps, FreshScenesOfAStructuresWalkAreRenderedWithIt) {
+    for (const Step& step : read_steps(find_project().steps())) {
+        if (step.number != 4) continue;
+        EXPECT_EQ(step.find("4.4")->partition, "grid");
+        EXPECT_EQ(step.find("4.7")->partition, "octree");
+        EXPECT_EQ(step.find("4.1")->partition, "") << "as the program chooses";
+    }
+}
+
 TEST(CommittedFingerprints, BelongToTodaysQuestionsAndMutants) {
     const Project project = find_project();
     const Fingerprints known = read_fingerprints(project.mutants() / "fingerprints.json");

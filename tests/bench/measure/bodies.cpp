@@ -116,7 +116,7 @@ Bodies random_triangles(std::size_t count) {
     return bodies;
 }
 
-Bodies tessellated_flake(int generations) {
+Bodies tessellated_flake() {
     Bodies bodies;
     bodies.name = "flake";
     bodies.eye = Vec3(Real(2.2), Real(1.8), Real(-4.6));
@@ -124,7 +124,7 @@ Bodies tessellated_flake(int generations) {
     bodies.angle_deg = 36;
     bodies.scene.materials.emplace_back();
     Mesh mesh;
-    add_flake(mesh, Vec3(0), Mat3(1), 1, generations);
+    add_flake(mesh, Vec3(0), Mat3(1), 1, 3);
     bodies.count = mesh.faces.size();
     add_as_one_object(bodies.scene, std::move(mesh));
     return bodies;

@@ -37,7 +37,6 @@ Bodies random_spheres(std::size_t count);
 Bodies random_triangles(std::size_t count);
 
 /// The sphereflake of scenes/bench/million_triangles.pov: 820 spheres, each of 1008 triangles: 826 560 in one mesh.
-/// Less with fewer generations.
-Bodies tessellated_flake(int generations = 3);
+Bodies tessellated_flake();
 
 }  // namespace rays::bench

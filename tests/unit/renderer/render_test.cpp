@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/unfinished.h"
+#include "renderer/brute_force.h"
 #include "scenes.h"
 
 namespace rays {
@@ -35,6 +37,18 @@ TEST(Render, MoreSamplesAreTheMeanOfThePixel) {
         "camera { orthographic location <0,0,-5> direction z right x up y }\n"
         "box { <-9,-9,0>, <9,0,1> pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }\n");
     EXPECT_FLOAT_EQ(render(scene, {.raster = {1, 1}, .samples = 16}).at(0, 0)[0], 0.5f);
+}
+
+TEST(Render, WhoWaitsForAStructureDoesNotAskThousandsOfObjects) {
+    std::string row = tests::kHead;
+    for (int i = 0; i < 1001; ++i) row += "sphere { <" + std::to_string(i) + ",0,0>, 0.4 }\n";
+    const Scene few = staged(tests::kBallOnFloor), many = staged(row);
+    const Ray at_ball{{0, 1, -5}, {0, 0, 1}}, at_row{{7, 0, -5}, {0, 0, 1}};
+    EXPECT_TRUE(BruteForce(few, "4.6").nearest(at_ball, {0, 100})) << "what is finished is seen through the stripes";
+    EXPECT_TRUE(BruteForce(many).occluded(at_row, {0, 100})) << "nobody waits";
+    EXPECT_FALSE(BruteForce(many, "4.6").nearest(at_row, {0, 100}));
+    EXPECT_FALSE(BruteForce(many, "4.6").occluded(at_row, {0, 100}));
+    EXPECT_STREQ(take_unfinished_task(), "4.6");
 }
 
 TEST(Render, ProgressEndsAtOne) {
