@@ -159,14 +159,12 @@ void Scanner::scan_repeated(Names& names, Token& token) {
     Remembered& known = remembered_[reinterpret_cast<std::uintptr_t>(at_) % kRemembered];
     if (known.from != at_) {
         const char* from = at_;
-        const std::int64_t walked_before = walked_;
         scan(names, token);
-        known = {from, at_, walked_ - walked_before, token};
+        known = {from, at_, token};
         return;
     }
     token = known.token;
     at_ = known.to;
-    walked_ += known.walked;
 }
 
 /// Up to 15 digits with a point among them and no exponent: an integer below 2^53 divided by a power of ten that is

@@ -89,7 +89,6 @@ private:
     struct Remembered {
         const char* from = nullptr;
         const char* to = nullptr;
-        std::int64_t walked = 0;
         Token token;
     };
     static constexpr std::size_t kRemembered = 4096;  ///< a body of so many bytes is remembered whole
