@@ -83,7 +83,9 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Vec3& to_viewer) {
     surface.to_viewer = to_viewer;
     const Color color = pigment_at(scene, material.pigment, hit.point);
     surface.color = color.rgb;
-    surface.opacity = 1 - color.filter - color.transmit;
+    // Scenes from before POV-Ray 3.7 count what they filter by the brightest channel that it lets through.
+    const float filtered = scene.settings.filter_by_color ? color.filter * color.rgb.largest() : color.filter;
+    surface.opacity = 1 - filtered - color.transmit;
     // The fourth lane of an RGB scene stays empty: weights look at the largest lane.
     surface.clear = color.filter * color.rgb + Radiance(color.transmit, color.transmit, color.transmit);
     surface.finish = &material.finish;

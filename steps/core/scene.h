@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/camera.h"
+#include "core/gamma.h"
 #include "core/light.h"
 #include "core/material.h"
 #include "core/shapes.h"
@@ -61,7 +62,9 @@ struct GlobalSettings {
     int max_trace_level = 5;
     float adc_bailout = 1.0f / 255;
     bool filtered_shadows = true;  ///< clear things tint light; false: whatever casts a shadow blocks all light
-    float assumed_gamma = 1;
+    Gamma gamma;                   ///< what the picture's numbers have to pass to be light
+    bool filter_by_color =
+        false;  ///< before version 3.7 a surface's opacity is 1 - filter * brightest channel - transmit
     bool photons = false;
     Real photon_spacing = 0;  ///< distance between photons on a target at distance 1; 0: photon_count says how many
     int photon_count = 0;

@@ -36,7 +36,14 @@ private:
     Inside media_;
 };
 
-/// The mean of side x side samples, in a regular grid.
+/// The light that the scene's numbers stand for.
+Radiance developed(Radiance value, const Gamma& gamma) {
+    if (!gamma.is_linear())
+        for (int i = 0; i < 3; ++i) value[i] = to_light(value[i], gamma);
+    return value;
+}
+
+/// The mean of side x side samples, in a regular grid. As in POV-Ray the scene's numbers are averaged, then developed.
 Radiance render_pixel(World& world, const CameraMedia& media, Raster raster, int side, int x, int y) {
     Radiance sum;
     for (int j = 0; j < side; ++j) {
@@ -47,6 +54,7 @@ Radiance render_pixel(World& world, const CameraMedia& media, Raster raster, int
         }
     }
     sum *= 1.0f / static_cast<float>(side * side);
+    sum = developed(sum, world.scene.settings.gamma);
     return take_unfinished_task() ? striped(sum, x, y) : sum;
 }
 

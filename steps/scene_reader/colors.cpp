@@ -7,23 +7,6 @@ namespace rays::sdl {
 
 namespace {
 
-/// IEC 61966-2-1, for assumed_gamma 1.
-float from_srgb(double value) {
-    return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
-}
-
-bool is_color_key(Word word) {
-    switch (word) {
-        // clang-format off
-        case Word::color_: case Word::alpha_: case Word::blue_: case Word::filter_: case Word::green_: case Word::red_:
-        case Word::transmit_: case Word::rgb_: case Word::rgbf_: case Word::rgbt_: case Word::rgbft_: case Word::srgb_:
-        case Word::srgbf_: case Word::srgbt_: case Word::srgbft_: return true;
-        // clang-format on
-        default:
-            return false;
-    }
-}
-
 bool is_whole_color(Word word) {
     switch (word) {
         // clang-format off
@@ -35,10 +18,22 @@ bool is_whole_color(Word word) {
     }
 }
 
+bool is_component(Word word) {
+    switch (word) {
+        // clang-format off
+        case Word::alpha_: case Word::blue_: case Word::filter_: case Word::green_: case Word::red_:
+        case Word::transmit_: return true;
+        // clang-format on
+        default:
+            return is_whole_color(word);
+    }
+}
+
 }  // namespace
 
 bool Interpreter::color_follows() {
-    return (peek().kind == Token::Kind::word && is_color_key(peek().word)) || vector_follows();
+    const bool keyword = peek().kind == Token::Kind::word && (peek().word == Word::color_ || is_component(peek().word));
+    return keyword || vector_follows();
 }
 
 void Interpreter::color_keyword(Word word, Color& color) {
@@ -70,7 +65,10 @@ void Interpreter::color_keyword(Word word, Color& color) {
     const bool is_srgb = word == Word::srgb_ || word == Word::srgbf_ || word == Word::srgbt_ || word == Word::srgbft_;
     Numbers value = expression(3 + has_filter + has_transmit);
     for (int i = 0; i < value.count; ++i) checked(value.at[i], place);
-    for (int i = 0; i < 3; ++i) color.rgb[i] = is_srgb ? from_srgb(value.at[i]) : static_cast<float>(value.at[i]);
+    for (int i = 0; i < 3; ++i) {
+        const auto channel = static_cast<float>(value.at[i]);
+        color.rgb[i] = is_srgb ? from_srgb(channel, gamma) : channel;
+    }
     color.filter = static_cast<float>(value.at[3]);
     color.transmit = static_cast<float>(value.at[4]);
     if (has_transmit && !has_filter) {
@@ -83,15 +81,16 @@ Color Interpreter::color_components(int wanted) {
     Color color{Radiance(0, 0, 0)};
     accept(Word::color_);
     const Place place = peek().place;
-    if (peek().kind != Token::Kind::word || !is_color_key(peek().word)) {
+    if (peek().kind != Token::Kind::word || !is_component(peek().word)) {
         const Numbers value = expression(wanted);
         for (int i = 0; i < value.count; ++i) checked(value.at[i], place);
         for (int i = 0; i < 3; ++i) color.rgb[i] = static_cast<float>(value.at[i]);
         color.filter = static_cast<float>(value.at[3]);
         color.transmit = static_cast<float>(value.at[4]);
     }
-    // red, green, ... may follow one another, and a whole colour; a second whole colour begins something else.
-    for (bool first = true; peek().kind == Token::Kind::word && is_color_key(peek().word); first = false) {
+    // red, green, ... may follow one another, and a whole colour; a second whole colour, or `color`, begins something
+    // else.
+    for (bool first = true; peek().kind == Token::Kind::word && is_component(peek().word); first = false) {
         if (is_whole_color(peek().word) && !first) break;
         color_keyword(take().word, color);
     }

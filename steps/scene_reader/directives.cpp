@@ -189,6 +189,7 @@ void Interpreter::version_directive(Place place) {
     const bool outer_hold = std::exchange(hold_, true);
     if (peek().text == "unofficial") take();
     version_ = number();
+    version_said_ = true;
     accept(';');
     hold_ = outer_hold;
     if (!(version_ >= 1 && version_ < 3.705)) {

@@ -34,11 +34,12 @@ struct PigmentDraft {
 
 struct FinishDraft {
     Finish finish;
+    std::optional<float> ior, caustics;  ///< before version 3.1 these stood here, and not in an interior
 };
 
 struct SurfaceDraft {
     PigmentDraft pigment;
-    Finish finish;
+    FinishDraft finish;
 };
 
 struct DensityDraft {

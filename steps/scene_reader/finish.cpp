@@ -64,6 +64,23 @@ void read_diffuse(Interpreter& in, Finish& finish) {
     }
 }
 
+/// Words of the interior that stand in a finish, as in scenes from before POV-Ray 3.1.
+bool read_old_item(Interpreter& in, FinishDraft& draft) {
+    const Token word = in.peek();
+    if (in.accept(Word::ior_)) {
+        draft.ior = single(in);
+        if (!(*draft.ior > 0)) in.fail(word, "ior must be greater than 0");
+    } else if (in.accept(Word::caustics_)) {
+        draft.caustics = single(in);
+    } else if (word.is(Word::refraction_)) {
+        only(in, 1);
+        in.note(word.place, "'refraction' in a finish has no effect; ior decides");
+    } else {
+        return false;
+    }
+    return true;
+}
+
 bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
     if (in.peek().kind != Token::Kind::word) return false;
     const Place place = in.peek().place;
@@ -131,11 +148,12 @@ bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
 
 }  // namespace
 
-Finish read_finish(Interpreter& in, Finish finish) {
+FinishDraft read_finish(Interpreter& in, FinishDraft draft) {
     in.expect('{', "a finish");
-    if (const auto named = in.accept_named<FinishDraft>()) finish = named->finish;
+    if (const auto named = in.accept_named<FinishDraft>()) draft = *named;
+    Finish& finish = draft.finish;
     Albedo albedo;
-    while (read_item(in, finish, albedo)) {
+    while (read_item(in, finish, albedo) || read_old_item(in, draft)) {
     }
     if (!in.accept('}')) {
         in.unexpected(
@@ -148,7 +166,7 @@ Finish read_finish(Interpreter& in, Finish finish) {
         const float exponent = 1 / finish.roughness;
         finish.specular *= (exponent + 2) / (4 * (2 - std::pow(2.0f, -exponent / 2)));
     }
-    return finish;
+    return draft;
 }
 
 }  // namespace rays::sdl

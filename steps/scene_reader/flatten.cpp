@@ -247,7 +247,7 @@ std::uint32_t Flattener::material(const SurfaceDraft& surface, const Placement& 
         const Placement whole = chain(surface.pigment.placement, placement);
         if (whole) material.pigment.transform = transform(*whole);
     }
-    material.finish = surface.finish;
+    material.finish = surface.finish.finish;
     return append(scene_.materials, material);
 }
 

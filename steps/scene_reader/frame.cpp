@@ -17,8 +17,9 @@ void read_background(Context& context) {
     context.in.expect('{', "a background");
     const Color color = context.in.color();
     context.in.expect('}', "a background");
-    // Without an alpha channel POV-Ray 3.7 shows what the background does not let through.
-    for (int i = 0; i < 3; ++i) context.scene.background[i] = color.rgb[i] * (1 - color.transmit);
+    // Without an alpha channel POV-Ray 3.7 shows what the background does not let through, earlier ones all of it.
+    const float shown = context.in.is_legacy() ? 1 : 1 - color.transmit;
+    for (int i = 0; i < 3; ++i) context.scene.background[i] = color.rgb[i] * shown;
     context.scene.background[3] = 0;
 }
 
@@ -62,6 +63,18 @@ bool read_statement(Context& context) {
     return object.has_value();
 }
 
+/// What the version changes in a picture, and not in the reading. As in POV-Ray the last version counts.
+void obey_version(Context& context) {
+    GlobalSettings& settings = context.scene.settings;
+    if (!context.in.is_legacy()) return;
+    settings.filter_by_color = true;
+    if (context.has_gamma) return;
+    settings.gamma.srgb = true;
+    if (!context.has_camera) return;  // a piece of a scene, no picture
+    context.in.note(context.in.peek().place,
+                    "neither #version 3.7 nor assumed_gamma is stated: as in POV-Ray, colours are numbers of sRGB");
+}
+
 }  // namespace
 
 void read_frame(Context& context) {
@@ -79,6 +92,7 @@ void read_frame(Context& context) {
     if (!context.has_camera) {
         context.scene.camera = final_camera(context.default_camera, in, in.peek().place);
     }
+    obey_version(context);
 }
 
 bool read_thing(Context& context, Value& result) {
@@ -100,7 +114,7 @@ bool read_thing(Context& context, Value& result) {
             return true;
         case Word::finish_:
             in.take();
-            set(result, FinishDraft{read_finish(in, context.default_surface->finish)});
+            set(result, read_finish(in, context.default_surface->finish));
             return true;
         case Word::interior_:
             in.take();

@@ -6,12 +6,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/gamma.h"
 #include "core/material.h"
 #include "core/shapes.h"
 #include "scene_reader/limits.h"
@@ -129,8 +131,12 @@ public:
 
     std::size_t memory_left() const { return static_cast<std::size_t>(std::max<std::int64_t>(budget_.memory, 0)); }
 
+    Gamma gamma;  ///< so far; for colours stated as sRGB
+
     Sources& sources() { return sources_; }
     double version() const { return version_; }
+    /// Is the scene one of a POV-Ray before 3.7? As POV-Ray has it, one that states no version is.
+    bool is_legacy() const { return !version_said_ || std::lround(100 * version_) < 370; }
     /// Was the variable looked at, while it was the predeclared one?
     bool used_time() const { return time_.used; }
     bool used_wavelength() const { return wavelength_.used; }
@@ -271,6 +277,7 @@ private:
     Parameters parameters_;
     std::vector<std::uint32_t> random_;  ///< rand()'s streams
     double version_ = 3.7;
+    bool version_said_ = false;
     std::vector<std::string> notes_;
     std::vector<const char*> noted_;  ///< where; a loop passes the same place often
     struct Watched {

@@ -142,6 +142,7 @@ bool read_area_item(Interpreter& in, LightDraft& draft) {
 
 Shared<LightDraft> read_light(Interpreter& in) {
     LightDraft draft;
+    in.hold(sizeof(LightDraft) + 2 * sizeof(Light));
     const Place place = in.peek().place;
     draft.location = in.vector();
     in.comma();

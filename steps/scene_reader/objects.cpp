@@ -57,6 +57,18 @@ void read_body(Context& context, const Token& word, ObjectDraft& object) {
     }
 }
 
+/// What an old scene's finish says of the interior counts more than the interior.
+void fill_from_finish(ObjectDraft& object) {
+    if (!object.surface) return;
+    const FinishDraft& finish = object.surface->finish;
+    if (!finish.ior && !finish.caustics) return;
+    auto filled =
+        object.interior ? std::make_shared<InteriorDraft>(*object.interior) : std::make_shared<InteriorDraft>();
+    if (finish.ior) filled->interior.ior = *finish.ior;
+    if (finish.caustics) filled->interior.caustics = *finish.caustics;
+    object.interior = std::move(filled);
+}
+
 }  // namespace
 
 std::optional<ObjectDraft> read_object(Context& context) {
@@ -75,9 +87,12 @@ std::optional<ObjectDraft> read_object(Context& context) {
     in.expect('{', to_string(word.word));
     ObjectDraft object;
     object.place = word.place;
-    const bool fresh_light = word.word == Word::light_source_ && in.peek().kind != Token::Kind::value;
+    // What follows is a light's name, or its location: a number, or the name of a vector.
+    const bool named = in.peek().kind == Token::Kind::value && in.peek().value->shared<ObjectDraft>();
+    const bool fresh_light = word.word == Word::light_source_ && !named;
     read_body(context, word, object);
     if (!fresh_light || !object.is_light()) read_object_modifiers(context, object);
+    fill_from_finish(object);
     object.place = word.place;
     in.object_made(word.place);
     return object;

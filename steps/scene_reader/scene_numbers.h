@@ -99,7 +99,7 @@ private:
         part("focal_point", x.focal_point);
     }
     void parts(Maybe<GlobalSettings>& x) {
-        fixed(x.max_trace_level, x.photons, x.photon_count);
+        fixed(x.max_trace_level, x.photons, x.photon_count, x.gamma.srgb, x.gamma.power, x.filter_by_color);
         part("ambient_light", x.ambient_light);
         number("adc_bailout", x.adc_bailout);
         number("photon_spacing", x.photon_spacing);

@@ -36,6 +36,23 @@ void read_global_photons(Interpreter& in, GlobalSettings& settings) {
     if (!in.accept('}')) in.unexpected("spacing, count or '}' in photons");
 }
 
+/// The first one counts.
+void read_gamma(Context& context) {
+    Interpreter& in = context.in;
+    const Place place = in.peek().place;
+    Gamma gamma;
+    if (in.accept(Word::srgb_)) {
+        gamma.srgb = true;
+    } else {
+        const double power = in.number();
+        if (!(power > 0)) in.fail(place, fmt::format("assumed_gamma is {}; it must be greater than 0", power));
+        if (std::abs(1 - 1 / power) > 0.01) gamma.power = static_cast<float>(power);  // POV-Ray takes the rest for 1
+    }
+    if (context.has_gamma) return in.note(place, "assumed_gamma was stated before; the first one counts");
+    context.has_gamma = true;
+    context.scene.settings.gamma = in.gamma = gamma;
+}
+
 bool read_setting(Context& context) {
     Interpreter& in = context.in;
     GlobalSettings& settings = context.scene.settings;
@@ -60,10 +77,7 @@ bool read_setting(Context& context) {
             return true;
         case Word::assumed_gamma_:
             in.take();
-            settings.assumed_gamma = static_cast<float>(in.number());
-            if (settings.assumed_gamma != 1) {
-                in.fail(word, "only assumed_gamma 1 is in the subset: light is computed linearly");
-            }
+            read_gamma(context);
             return true;
         case Word::max_intersections_:
         case Word::number_of_waves_:

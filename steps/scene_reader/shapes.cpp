@@ -47,15 +47,18 @@ PlaneDraft read_plane(Interpreter& in) {
     return {normal, in.number()};
 }
 
-BoxDraft read_box(Interpreter& in) {
-    const Place place = in.peek().place;
-    const V3 a = vector_and_comma(in);
-    const V3 b = in.vector();
-    const BoxDraft box{glm::min(a, b), glm::max(a, b)};
-    if (!(box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z)) {
-        in.fail(place, "this box is flat: its corners share a coordinate; use a polygon");
+/// The rectangle of a box without thickness.
+Shared<PolygonDraft> flat_box(const BoxDraft& box, int thin_axis) {
+    const int u = (thin_axis + 1) % 3, v = (thin_axis + 2) % 3;
+    auto polygon = std::make_shared<PolygonDraft>();
+    for (const auto& [at_u, at_v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        V3 corner = box.min;
+        if (at_u) corner[u] = box.max[u];
+        if (at_v) corner[v] = box.max[v];
+        polygon->points.push_back(corner);
     }
-    return box;
+    polygon->contour_ends.push_back(4);
+    return polygon;
 }
 
 DiscDraft read_disc(Interpreter& in) {
@@ -204,6 +207,24 @@ void read_polygon(Interpreter& in, ObjectDraft& object) {
     object.shape = Shared<PolygonDraft>(std::move(polygon));
 }
 
+/// A box whose corners share one coordinate is seen, as a rectangle; one that is a line or a point is not.
+void read_box(Interpreter& in, ObjectDraft& object) {
+    const V3 a = vector_and_comma(in);
+    const V3 b = in.vector();
+    const BoxDraft box{glm::min(a, b), glm::max(a, b)};
+    int thin_axes = 0, thin_axis = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (box.min[axis] < box.max[axis]) continue;
+        ++thin_axes;
+        thin_axis = axis;
+    }
+    if (thin_axes > 1) return drop(in, object, "a box without an area");
+    if (thin_axes == 1)
+        object.shape = flat_box(box, thin_axis);
+    else
+        object.shape = box;
+}
+
 Shared<PatchDraft> read_patch(Interpreter& in) {
     for (;;) {
         const Token word = in.peek();
@@ -250,8 +271,7 @@ void read_shape(Context& context, Word word, ObjectDraft& object) {
             object.shape = read_plane(in);
             return;
         case Word::box_:
-            object.shape = read_box(in);
-            return;
+            return read_box(in, object);
         case Word::disc_:
             object.shape = read_disc(in);
             return;

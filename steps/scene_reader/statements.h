@@ -21,6 +21,7 @@ struct Context {
     Shared<SurfaceDraft> default_surface = std::make_shared<SurfaceDraft>();
     CameraDraft default_camera;
     bool has_camera = false;
+    bool has_gamma = false;
 };
 
 /// The whole scene, to the end of its text.
@@ -55,7 +56,7 @@ Shared<MeshDraft> read_mesh2(Context& context, const Place& place);
 // textures.cpp, finish.cpp
 Shared<SurfaceDraft> read_texture(Context& context);
 PigmentDraft read_pigment(Interpreter& in, PigmentDraft start);
-Finish read_finish(Interpreter& in, Finish start);
+FinishDraft read_finish(Interpreter& in, FinishDraft start);
 
 // interiors.cpp
 Shared<InteriorDraft> read_interior(Interpreter& in, Shared<InteriorDraft> start);

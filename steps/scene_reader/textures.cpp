@@ -66,7 +66,7 @@ Shared<SurfaceDraft> read_texture(Context& context) {
         if (const auto pigment = in.accept_named<PigmentDraft>()) {
             surface.pigment = *pigment;
         } else if (const auto finish = in.accept_named<FinishDraft>()) {
-            surface.finish = finish->finish;
+            surface.finish = *finish;
         } else if (in.accept(Word::pigment_)) {
             in.expect('{', "a pigment");
             surface.pigment = read_pigment(in, surface.pigment);

@@ -112,7 +112,49 @@ TEST(SettingsReader, BackgroundAndGlobalSettings) {
     EXPECT_TRUE(scene.settings.photons);
     EXPECT_EQ(scene.settings.photon_spacing, Real(0.1));
     EXPECT_EQ(scene.background[1], 0.2f);
-    EXPECT_TRUE(contains(error_of("global_settings { assumed_gamma 2.2 }"), "only assumed_gamma 1"));
+}
+
+// POV-Ray 3.7.0.10: tokenize.cpp, EffectiveLanguageVersion() in scene.h.
+TEST(SettingsReader, GammaAsPovRayTakesIt) {
+    const auto gamma_of = [](const std::string& text) { return scene_of(text).settings.gamma; };
+    EXPECT_TRUE(gamma_of("#version 3.7;").is_linear());
+    EXPECT_TRUE(gamma_of("#version 3.5; global_settings { assumed_gamma 1 }").is_linear());
+    EXPECT_TRUE(gamma_of("global_settings { assumed_gamma 1.005 }").is_linear());
+    EXPECT_EQ(gamma_of("global_settings { assumed_gamma 2.2 }").power, 2.2f);
+    EXPECT_TRUE(gamma_of("#version 3.7; global_settings { assumed_gamma srgb }").srgb);
+    EXPECT_TRUE(gamma_of("").srgb);
+    EXPECT_TRUE(gamma_of("#version 3.5;").srgb);
+    EXPECT_TRUE(gamma_of("#version 3.5; #version 3.7;").is_linear());
+    EXPECT_EQ(gamma_of("global_settings { assumed_gamma 1.5 } global_settings { assumed_gamma 1 }").power, 1.5f);
+    EXPECT_TRUE(contains(error_of("global_settings { assumed_gamma 0 }"), "greater than 0"));
+    const Scene old = scene_of("camera { }");
+    ASSERT_EQ(old.notes.size(), 1u);
+    EXPECT_TRUE(contains(old.notes[0], "neither #version 3.7 nor assumed_gamma"));
+}
+
+TEST(SettingsReader, ColoursOfSrgbMeetTheGamma) {
+    const auto green_of = [](const std::string& settings) {
+        return scene_of("#version 3.7; global_settings { " + settings + " } background { srgb <0, 0.5, 1> }")
+            .background[1];
+    };
+    EXPECT_NEAR(green_of("assumed_gamma 1"), 0.21404114f, 1e-7f);
+    EXPECT_NEAR(green_of("assumed_gamma 2"), 0.46264580f, 1e-6f);
+    EXPECT_EQ(green_of("assumed_gamma srgb"), 0.5f);
+}
+
+TEST(SettingsReader, OldVersionsFilterByColour) {
+    EXPECT_FALSE(scene_of("#version 3.7;").settings.filter_by_color);
+    EXPECT_TRUE(scene_of("#version 3.6;").settings.filter_by_color);
+    EXPECT_TRUE(scene_of("").settings.filter_by_color);
+    EXPECT_EQ(scene_of("#version 3.7; background { rgbt 0.8 }").background[0], 0.8f * (1 - 0.8f));
+    EXPECT_EQ(scene_of("#version 3.6; background { rgbt 0.8 }").background[0], 0.8f);
+}
+
+TEST(LightReader, ALocationCanHaveAName) {
+    const Scene scene = scene_of("#declare From = <1,2,3>; light_source { From, rgb 0.5 } light_source { From rgb 1 }");
+    ASSERT_EQ(scene.lights.size(), 2u);
+    EXPECT_TRUE(near(scene.lights[0].location, {1, 2, 3}));
+    EXPECT_EQ(scene.lights[0].color[0], 0.5f);
 }
 
 }  // namespace

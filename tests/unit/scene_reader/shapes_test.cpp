@@ -96,8 +96,9 @@ TEST(ShapeReader, AnOpenPolygonIsClosedWithANote) {
 }
 
 TEST(ShapeReader, WhatPovRayDropsIsDroppedWithANote) {
-    for (const char* text : {"triangle { 0, x, 2*x }", "polygon { 4, 0, x, 2*x, <0,0,0> }",
-                             "polygon { 5, 0, x, x+y, y+z, <0,0,0> }", "smooth_triangle { 0, z, x, z, y, 0 }"}) {
+    for (const char* text :
+         {"triangle { 0, x, 2*x }", "polygon { 4, 0, x, 2*x, <0,0,0> }", "polygon { 5, 0, x, x+y, y+z, <0,0,0> }",
+          "smooth_triangle { 0, z, x, z, y, 0 }", "box { x, x+y }", "box { 1, 1 }"}) {
         const Scene scene = scene_of(text);
         EXPECT_TRUE(scene.objects.empty()) << text;
         EXPECT_EQ(scene.notes.size(), 1u) << text;
@@ -174,12 +175,25 @@ TEST(ShapeReader, PatchAndTorus) {
     EXPECT_NE(scene.objects[2].transform, kNone);
 }
 
+// POV-Ray shows it, and many scenes carry a picture on one.
+TEST(ShapeReader, AFlatBoxIsARectangle) {
+    for (const char* text : {"box { <1,2,3>, <5,2,7> }", "box { <5,2,7>, <1,2,3> }"}) {
+        const Scene scene = scene_of(text);
+        ASSERT_EQ(scene.polygons.size(), 1u) << text;
+        EXPECT_TRUE(scene.boxes.empty());
+        EXPECT_EQ(scene.polygons[0].contour_ends, (std::vector<std::uint32_t>{4}));
+        const Vec3 corners[] = {{1, 2, 3}, {1, 2, 7}, {5, 2, 7}, {5, 2, 3}};
+        for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(near(scene.polygons[0].points[i], corners[i])) << i;
+    }
+    EXPECT_TRUE(contains(error_of("sphere { 0, 1 clipped_by { box { -1, <1,1,-1> } } }"), "needs an inside"));
+}
+
 TEST(ShapeReader, NonsenseIsAnError) {
-    for (const char* text : {"sphere { 0, 0 }", "sphere { 0, -1 }", "plane { 0, 1 }", "box { 0, <1,1,0> }",
-                             "disc { 0, y, 1, 1 }", "disc { 0, 0, 1 }", "cone { 0, 1, 0, 2 }", "cone { 0, 0, y, 0 }",
-                             "cylinder { 0, y, 0 }", "quadric { 0, 0, 0, 1 }", "torus { 0, 1 }",
-                             "polygon { 2, <0,0>, <1,1> }", "mesh { }", "mesh2 { face_indices { 1, <0,1,2> } }",
-                             "mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0,1,3> } }"}) {
+    for (const char* text :
+         {"sphere { 0, 0 }", "sphere { 0, -1 }", "plane { 0, 1 }", "disc { 0, y, 1, 1 }", "disc { 0, 0, 1 }",
+          "cone { 0, 1, 0, 2 }", "cone { 0, 0, y, 0 }", "cylinder { 0, y, 0 }", "quadric { 0, 0, 0, 1 }",
+          "torus { 0, 1 }", "polygon { 2, <0,0>, <1,1> }", "mesh { }", "mesh2 { face_indices { 1, <0,1,2> } }",
+          "mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0,1,3> } }"}) {
         EXPECT_TRUE(contains(error_of(text), "test.pov:1:")) << text;
     }
 }

@@ -79,6 +79,39 @@ Vec3 pattern_origin(const Scene& scene, std::size_t object) {
     return transform == kNone ? Vec3(0) : scene.transforms[transform].point_to_world(Vec3(0));
 }
 
+TEST(TextureReader, ColorBeginsTheNextColour) {
+    for (const char* text : {"checker color rgb <1,1,1>*0.5 color rgb <1,1,1>*0.25", "checker color Grey color Dark",
+                             "checker color red 0.5 green 0.5 blue 0.5 color green 0.25 blue 0.25 red 0.25"}) {
+        const std::string names = "#declare Grey = rgb 0.5; #declare Dark = color rgb 0.25; ";
+        const Scene scene = scene_of(names + "sphere { 0, 1 pigment { " + text + " } }");
+        const Pigment& pigment = worn(scene, 0).pigment;
+        ASSERT_TRUE(pigment.checker_other) << text;
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_EQ(pigment.color.rgb[i], 0.5f) << text;
+            EXPECT_EQ(pigment.checker_other->rgb[i], 0.25f) << text;
+        }
+    }
+}
+
+// Scenes from before POV-Ray 3.1, and Eric Haines' SPD, have ior there. As POV-Ray does, it overrules the interior.
+TEST(TextureReader, AFinishMayHoldTheIorOfOldScenes) {
+    const Scene scene = scene_of(
+        "#declare Glass = texture { pigment { rgbf 1 } finish { refraction 1.0 ior 1.5 caustics 0.25 } }\n"
+        "sphere { 0, 1 texture { Glass } }\n"
+        "sphere { 0, 1 texture { Glass } interior { ior 2 fade_power 3 } }\n"
+        "union { sphere { 0, 1 } texture { Glass } }\n"
+        "sphere { 0, 1 }");
+    for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_NE(scene.objects[i].interior, kNone) << i;
+        EXPECT_EQ(scene.interiors[scene.objects[i].interior].ior, 1.5f) << i;
+        EXPECT_EQ(scene.interiors[scene.objects[i].interior].caustics, 0.25f) << i;
+    }
+    EXPECT_EQ(scene.interiors[scene.objects[1].interior].fade_power, 3);
+    EXPECT_EQ(scene.objects[3].interior, kNone);
+    EXPECT_TRUE(contains(error_of("sphere { 0, 1 finish { refraction 0.5 } }"), "only refraction 1"));
+    EXPECT_TRUE(contains(error_of("sphere { 0, 1 finish { ior 0 } }"), "greater than 0"));
+}
+
 TEST(TextureReader, TexturesMoveWithWhatIsDoneAfterThem) {
     const Scene scene = scene_of(
         "#declare T = texture { pigment { checker translate x } scale 2 }\n"

@@ -35,6 +35,20 @@ TEST(EdgeCases, LightOppositeToTheViewerHasNoHalfVector) {
     expect_near(blinn(surface, white_from({1, 1, 0})), Radiance(0.0f), 0);
 }
 
+// POV-Ray 3.7.0.10 (trace.cpp) keeps the old formula for scenes whose version is below 3.7.
+TEST(EdgeCases, OldScenesFilterByTheirBrightestChannel) {
+    const std::string glass = "sphere { 0, 1 pigment { rgbft <0.4, 0.8, 0.2, 0.5, 0.25> } }\n";
+    const auto opacity = [](const std::string& text) {
+        const Scene scene = staged(text);
+        Hit hit;
+        hit.point = hit.normal = hit.shading_normal = kUp;
+        hit.material = scene.objects[0].material;
+        return surface_at(scene, hit, kUp).opacity;
+    };
+    EXPECT_FLOAT_EQ(opacity(glass), 1 - 0.5f - 0.25f);
+    EXPECT_FLOAT_EQ(opacity("#version 3.6;\n" + glass), 1 - 0.5f * 0.8f - 0.25f);
+}
+
 TEST(EdgeCases, MetalIsFiniteWhereRoundingMakesTheCosineMoreThanOne) {
     const Scene scene = staged(ball("diffuse 0 phong 1 metallic"));
     Surface surface = up_facing(scene);
