@@ -71,8 +71,9 @@ void Interpreter::directive() {
                      found.text.substr(0, 40)));
 }
 
+/// Ends with its parenthesis, so nothing behind it is looked at: macros within may be called at once.
 double Interpreter::condition() {
-    const bool outer_hold = std::exchange(hold_, true);
+    const bool outer_hold = std::exchange(hold_, false);
     const double value = argument();
     hold_ = outer_hold;
     return value;
@@ -125,7 +126,7 @@ void Interpreter::else_directive(Place place) {
 }
 
 bool Interpreter::case_matches(Word word, double value) {
-    const bool outer_hold = std::exchange(hold_, true);
+    const bool outer_hold = std::exchange(hold_, false);
     bool matches = false;
     if (word == Word::case_) {
         matches = std::abs(argument() - value) < kEpsilon;

@@ -42,6 +42,12 @@ struct SurfaceDraft {
     FinishDraft finish;
 };
 
+/// Does light pass the surface nowhere?
+inline bool is_opaque(const SurfaceDraft& surface) {
+    const auto solid = [](const Color& color) { return color.filter == 0 && color.transmit == 0; };
+    return solid(surface.pigment.color) && (!surface.pigment.checker_other || solid(*surface.pigment.checker_other));
+}
+
 struct DensityDraft {
     std::variant<std::monostate, Media::SphericalDensity, Shared<Media::GridDensity>, Media::LinearDensity> form;
     Radiance color{1.0f, 1.0f, 1.0f};

@@ -255,7 +255,7 @@ Numbers Interpreter::value_of(const Token& token, int wanted) {
     if (const auto function = token.value->shared<Function>()) {
         return filled(checked(call_function(*function, token.place), token.place), wanted);
     }
-    fail(token, fmt::format("'{}' is {}; expected a number or a vector", token.text, kind_name(*token.value)));
+    wrong_value(token, "a number or a vector");
 }
 
 Numbers Interpreter::angle_brackets() {

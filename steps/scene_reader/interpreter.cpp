@@ -30,8 +30,10 @@ void Interpreter::fetch() {
     for (;;) {
         ++tokens_;
         const char* before = scanner_.at();
-        if (blocks_.empty()) scanner_.scan(names_, token);
-        else scanner_.scan_repeated(names_, token);
+        if (blocks_.empty())
+            scanner_.scan(names_, token);
+        else
+            scanner_.scan_repeated(names_, token);
         spend(1 + (scanner_.at() - before + scanner_.take_walked()) / kBytesPerWork);
         switch (token.kind) {
             case Token::Kind::name:
@@ -143,10 +145,16 @@ void Interpreter::unexpected(std::string_view wanted) {
         fail(token,
              fmt::format("'{}' is neither a word of the language nor declared; expected {}", token.text, wanted));
     }
-    if (token.kind == Token::Kind::value) {
-        fail(token, fmt::format("'{}' is {}; expected {}", token.text, kind_name(*token.value), wanted));
-    }
+    if (token.kind == Token::Kind::value) wrong_value(token, wanted);
     fail(token, fmt::format("found {}; expected {}", describe(token), wanted));
+}
+
+void Interpreter::wrong_value(const Token& token, std::string_view wanted) const {
+    if (const auto unusable = token.value->shared<Unusable>()) {
+        fail(token, fmt::format("'{}' holds what is not in the subset that Raysteps reads ({}); here {} can stand",
+                                token.text, unusable->why, wanted));
+    }
+    fail(token, fmt::format("'{}' is {}; expected {}", token.text, kind_name(*token.value), wanted));
 }
 
 namespace {

@@ -94,6 +94,7 @@ public:
     [[noreturn]] void fail(const Token& token, std::string_view what) const { fail(token.place, what); }
     /// The next token is not what is wanted.
     [[noreturn]] void unexpected(std::string_view wanted);
+    [[noreturn]] void wrong_value(const Token& token, std::string_view wanted) const;  ///< a name of something else
     void note(const Place& place, std::string_view what);
     std::vector<std::string>& notes() { return notes_; }
 
@@ -194,6 +195,11 @@ private:
     std::shared_ptr<Value> assignable(const Token& token, bool local);
     /// The right side of an assignment, or a macro's argument (then `as_argument`, and variables go by reference).
     Value right_side(bool as_argument, std::size_t caller_scope, bool needs_semicolon);
+    /// The right side of a declaration. Of textures over one another the uppermost counts, when it is opaque.
+    Value declared_value();
+    /// The same in one of POV-Ray's include files: what is not in the subset becomes unusable, and is skipped.
+    Value library_value();
+    void skip_value();  ///< up to the brace that closes it, or to a ';' or '#' before any
     Value array_literal();
     void array_elements(Array& array, std::size_t dimension, std::size_t first);
     Value function_definition();

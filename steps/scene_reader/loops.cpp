@@ -61,6 +61,7 @@ void Interpreter::for_directive(Place opened) {
     const Token variable = take();
     const std::shared_ptr<Value> slot = assignable(variable, true);
     left_side_ = false;
+    hold_ = outer_hold;
     if (variable.array) fail(variable, "a loop's variable cannot be an array's element");
     block.variable = variable.name;
     comma();
@@ -72,7 +73,6 @@ void Interpreter::for_directive(Place opened) {
     block.step = number_or(1);
     if (!(std::abs(block.step) >= kEpsilon)) fail(opened, "the step of this loop is 0: it would never end");
     expect(')', "#for");
-    hold_ = outer_hold;
     slot->is = first;
     ++changes_;
     const bool runs = block.step > 0 ? first.at[0] < block.last + kEpsilon : first.at[0] > block.last - kEpsilon;

@@ -100,11 +100,6 @@ std::optional<ObjectDraft> read_object(Context& context) {
 
 namespace {
 
-bool is_opaque(const SurfaceDraft& surface) {
-    const auto solid = [](const Color& color) { return color.filter == 0 && color.transmit == 0; };
-    return solid(surface.pigment.color) && (!surface.pigment.checker_other || solid(*surface.pigment.checker_other));
-}
-
 void wear(Context& context, ObjectDraft& object, Shared<SurfaceDraft> surface, const Place& place) {
     if (object.surface && !is_opaque(*surface)) {
         context.in.fail(place, "layered textures are not in the subset; give the object one texture");

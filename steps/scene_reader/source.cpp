@@ -59,12 +59,12 @@ Sources::Sources(fs::path scene_folder, const std::vector<fs::path>& include_fol
 }
 
 const Source& Sources::add_text(std::string name, std::string_view text) {
-    sources_.push_back({std::move(name), std::string(text)});
+    sources_.push_back({std::move(name), std::string(text), false});
     return sources_.back();
 }
 
 const Source& Sources::add_file(const fs::path& file) {
-    sources_.push_back({file.string(), read_bytes(file, kMostBytesOfText)});
+    sources_.push_back({file.string(), read_bytes(file, kMostBytesOfText), false});
     return sources_.back();
 }
 
@@ -83,12 +83,16 @@ fs::path Sources::find_file(const std::string& name) const {
     return {};
 }
 
+bool Sources::is_library(const fs::path& found) const {
+    return !folders_.empty() && !lies_inside(folders_.front(), found);
+}
+
 const Source* Sources::find_include(const std::string& name) {
     const fs::path path = find_file(name);
     if (path.empty()) return nullptr;
     const Source*& known = included_[path];
     if (!known) {
-        sources_.push_back({name, read_bytes(path, kMostBytesOfText)});
+        sources_.push_back({name, read_bytes(path, kMostBytesOfText), is_library(path)});
         known = &sources_.back();
     }
     return known;

@@ -16,6 +16,7 @@ namespace rays::sdl {
 struct Source {
     std::string name;  ///< as shown in messages
     std::string text;
+    bool is_library = false;  ///< one of POV-Ray's include files
 
     const char* begin() const { return text.data(); }
     const char* end() const { return text.data() + text.size(); }
@@ -44,6 +45,7 @@ public:
     const Source* find_include(const std::string& name);
     /// The same search for data (density files). Empty when there is none.
     std::filesystem::path find_file(const std::string& name) const;
+    bool is_library(const std::filesystem::path& found) const;
 
 private:
     std::vector<std::filesystem::path> folders_;  ///< canonical

@@ -47,6 +47,11 @@ struct Reference {
     std::shared_ptr<Value> target;
 };
 
+/// What one of POV-Ray's include files declares and Raysteps does not know. Only who uses it gets an error.
+struct Unusable {
+    std::string why;
+};
+
 struct SurfaceDraft;
 struct PigmentDraft;
 struct InteriorDraft;
@@ -64,7 +69,7 @@ struct Value {
     std::variant<std::monostate, Numbers, std::string, std::shared_ptr<Array>, Shared<Macro>, Shared<Function>,
                  Reference, Shared<Affine>, Shared<CameraDraft>, Shared<ObjectDraft>, Shared<SurfaceDraft>,
                  Shared<PigmentDraft>, Shared<FinishDraft>, Shared<InteriorDraft>, Shared<MediaDraft>,
-                 Shared<DensityDraft>, Shared<MaterialDraft>>
+                 Shared<DensityDraft>, Shared<MaterialDraft>, Shared<Unusable>>
         is;
 
     bool empty() const { return is.index() == 0; }

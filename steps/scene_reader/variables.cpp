@@ -1,6 +1,8 @@
 // Names and what they stand for: #declare, #local, scopes, arrays.
 #include <fmt/format.h>
 
+#include "core/error.h"
+#include "scene_reader/drafts.h"
 #include "scene_reader/interpreter.h"
 
 namespace rays::sdl {
@@ -9,7 +11,7 @@ std::string kind_name(const Value& value) {
     static constexpr const char* kNames[] = {"undefined",  "a float",     "a string",    "an array",    "a macro",
                                              "a function", "a reference", "a transform", "a camera",    "an object",
                                              "a texture",  "a pigment",   "a finish",    "an interior", "a media",
-                                             "a density",  "a material"};
+                                             "a density",  "a material",  "unusable"};
     static_assert(std::size(kNames) == std::variant_size_v<decltype(Value::is)>);
     if (const auto* numbers = value.as<Numbers>()) {
         static constexpr const char* kSizes[] = {"a float", "a 2D vector", "a vector", "a 4D vector", "a color"};
@@ -79,7 +81,7 @@ void Interpreter::declare(bool local, Place place) {
     const bool is_element = name.array != nullptr;
     expect('=', "a declaration");
     hold_ = outer_hold;
-    Value value = right_side(false, scopes_.size(), true);
+    Value value = place.source->is_library ? library_value() : declared_value();
     if (is_element && !slot->empty() && slot->is.index() != value.is.index()) {
         fail(place,
              fmt::format("an array of {} cannot hold {}; declare another array", kind_name(*slot), kind_name(value)));
@@ -93,7 +95,9 @@ void Interpreter::declare(bool local, Place place) {
 
 namespace {
 
+/// What cannot be used is of any kind.
 bool same_kind(const Value& a, const Value& b) {
+    if (a.as<Shared<Unusable>>() || b.as<Shared<Unusable>>()) return true;
     if (a.is.index() != b.is.index()) return false;
     const auto* numbers = a.as<Numbers>();
     return !numbers || numbers->count == b.as<Numbers>()->count;
@@ -205,6 +209,69 @@ Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool n
         unexpected("a value (float, vector, color, string, array, texture, object, ...)");
     }
     return result;
+}
+
+Value Interpreter::declared_value() {
+    Value value = right_side(false, scopes_.size(), true);
+    const bool outer_hold = std::exchange(hold_, true);
+    while (value.shared<SurfaceDraft>() && peek().is(Word::texture_)) {
+        const Token layer = peek();
+        hold_ = outer_hold;
+        Value upper = right_side(false, scopes_.size(), false);
+        hold_ = true;
+        if (!is_opaque(*upper.shared<SurfaceDraft>())) {
+            fail(layer, "layered textures are not in the subset; declare one texture");
+        }
+        value = std::move(upper);
+    }
+    hold_ = outer_hold;
+    return value;
+}
+
+Value Interpreter::library_value() {
+    const Place start = scanner_.place();
+    const std::size_t blocks = blocks_.size(), files = files_.size(), scopes = scopes_.size();
+    const bool outer_hold = hold_, outer_left = left_side_;
+    const int depth = depth_;
+    const Parameters outer = parameters_;
+    try {
+        return declared_value();
+    } catch (const InputError& error) {
+        const bool can_go_on = blocks_.size() >= blocks && files_.size() == files && scopes_.size() >= scopes &&
+                               depth_ == depth && budget_.work > 0 && budget_.memory > 0;
+        if (!can_go_on) throw;
+        const std::string what = error.what();
+        auto unusable = std::make_shared<Unusable>(Unusable{what.substr(0, what.find('\n'))});
+        hold(sizeof(Unusable) + unusable->why.capacity());
+        blocks_.resize(blocks);
+        while (scopes_.size() > scopes) leave_scope();
+        parameters_ = outer;
+        hold_ = outer_hold;
+        left_side_ = outer_left;
+        has_peeked_ = false;
+        scanner_.move_to(start.source, start.at);
+        skip_value();
+        Value value;
+        value.is = Shared<Unusable>(std::move(unusable));
+        return value;
+    }
+}
+
+void Interpreter::skip_value() {
+    for (int depth = 0;;) {
+        spend(1);
+        const Place before = scanner_.place();
+        const Token token = scanner_.scan(names_);
+        if (token.kind == Token::Kind::end) return;
+        if (depth == 0 && (token.kind == Token::Kind::hash || token.is(';')))
+            return scanner_.move_to(before.source, before.at);
+        if (token.is('{')) ++depth;
+        if (!token.is('}') || --depth > 0) continue;
+        const Place after = scanner_.place();
+        const bool next_layer = scanner_.scan(names_).is(Word::texture_);
+        scanner_.move_to(after.source, after.at);
+        if (!next_layer) return;
+    }
 }
 
 Value Interpreter::array_literal() {

@@ -64,6 +64,21 @@ TEST(Language, ErrorsInMacrosSayWhoCalled) {
     EXPECT_TRUE(contains(error, "in macro Ball, called at test.pov:5:1")) << error;
 }
 
+TEST(Language, ConditionsMayCallMacros) {
+    const std::string macros = "#macro Less(A, B) (A < B) #end #macro Two() 2 #end ";
+    const Scene scene =
+        scene_of(macros +
+                 "#declare I = 0; #while (Less(I, 3)) #declare I = I + 1; #end "
+                 "#if (Less(2, I)) #for (J, Two(), Two() + 1) sphere { J, 1 } #end #else box { 0, 1 } #end "
+                 "#switch (Two()) #case (Two()) plane { y, I } #break #end "
+                 "#if (0) #elseif (Less(0, 1)) torus { Two(), 1 #if (Less(0, 1)) scale 2 #end } #end");
+    EXPECT_EQ(scene.spheres.size(), 2u);
+    EXPECT_TRUE(scene.boxes.empty());
+    ASSERT_EQ(scene.planes.size(), 1u);
+    EXPECT_EQ(scene.planes[0].offset, 3);
+    EXPECT_EQ(scene.tori.size(), 1u);
+}
+
 TEST(Language, DeclarationsNeedTheirSemicolon) {
     EXPECT_TRUE(contains(error_of("#declare A = 1\n#declare B = 2;"), "ends with ';'"));
     EXPECT_EQ(error_of("#declare T = texture { pigment { rgb 1 } }\n#declare S = \"text\"\n#declare M = 1;"), "");

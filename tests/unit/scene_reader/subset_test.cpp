@@ -64,6 +64,35 @@ TEST(Subset, PovRaysIncludeFilesThatParse) {
     EXPECT_EQ(printed, "0.125000 0.375000 0.125000");
 }
 
+// Who includes textures.inc for its glass need not be told of its clouds; who uses the clouds is told.
+TEST(Subset, WhatPovRaysFilesDeclareBeyondTheSubsetIsAnErrorForItsUsers) {
+    if (povray_include_folder().empty()) GTEST_SKIP() << "POV-Ray's include files are not installed";
+    for (const char* name : {"textures", "stones", "woods", "glass", "metals", "golds", "skies", "stars", "chars",
+                             "shapes2", "shapesq", "logo"}) {
+        EXPECT_EQ(error_of("#include \"" + std::string(name) + ".inc\""), "") << name;
+    }
+    const Scene scene = scene_of("#include \"textures.inc\"\nsphere { 0, 1 texture { Green_Glass } }");
+    EXPECT_EQ(scene.materials[scene.objects[0].material].pigment.color.filter, 0.9f);
+    const std::string error = error_of("#include \"textures.inc\"\nsphere { 0, 1 texture { Jade } }");
+    EXPECT_TRUE(contains(error, "test.pov:2:25: 'Jade' holds what is not in the subset")) << error;
+    EXPECT_TRUE(contains(error, "textures.inc:")) << error;
+    // A copy, an array's element and an expression are no way around.
+    for (const char* text :
+         {"#declare Copy = Jade; #declare Copies = array[1] { Copy } sphere { 0, 1 texture { Copies[0] } }",
+          "#declare I = 1 + Jade;", "sphere { 0, Jade }"}) {
+        EXPECT_TRUE(contains(error_of("#include \"textures.inc\"\n" + std::string(text)), "not in the subset")) << text;
+    }
+    // In the scene itself it is an error at once.
+    EXPECT_TRUE(contains(error_of("#declare P = pigment { granite }"), "'granite' is not in the subset"));
+}
+
+TEST(Subset, DeclaredLayersAreOneTextureWhenTheUppermostIsOpaque) {
+    const std::string below = "#declare T = texture { pigment { rgb 1 } } texture { pigment { ";
+    const Scene scene = scene_of(below + "rgb 0.5 } }\nsphere { 0, 1 texture { T } }");
+    EXPECT_EQ(scene.materials[scene.objects[0].material].pigment.color.rgb[0], 0.5f);
+    EXPECT_TRUE(contains(error_of(below + "rgbt 0.5 } }"), "layered textures are not in the subset"));
+}
+
 TEST(Subset, MessagesHoldNoControlCharacters) {
     const std::string error = error_of("#include \"a\\0b\x1b[2J\"");
     EXPECT_FALSE(error.empty());
