@@ -90,8 +90,10 @@ void Interpreter::resolve(Token& token) {
     token.scope = binding.scope;
     token.value = binding.slot.get();
     while (const auto* reference = token.value->as<Reference>()) token.value = reference->target.get();
-    if (token.value == time_.slot) time_.used = true;
-    if (token.value == wavelength_.slot) wavelength_.used = true;
+    if (!left_side_) {  // a macro's parameter may have the name as well
+        if (token.value == time_.slot) time_.used = true;
+        if (token.value == wavelength_.slot) wavelength_.used = true;
+    }
     while (token.value->as<std::shared_ptr<Array>>() && scanner_.next_is('[')) {
         Token element = token;  // the subscripts' tokens take this one's place meanwhile
         subscripts(element);
@@ -151,8 +153,9 @@ void Interpreter::unexpected(std::string_view wanted) {
 
 void Interpreter::wrong_value(const Token& token, std::string_view wanted) const {
     if (const auto unusable = token.value->shared<Unusable>()) {
-        fail(token, fmt::format("'{}' holds what is not in the subset that Raysteps reads ({}); here {} can stand",
-                                token.text, unusable->why, wanted));
+        if (library_values_ > 0) throw LibraryFailure{unusable};  // the first cause is the one to tell
+        fail(token, fmt::format("'{}' holds what is not in the subset that Raysteps reads ({}: {}); here {} can stand",
+                                token.text, to_string(unusable->place), unusable->why, wanted));
     }
     fail(token, fmt::format("'{}' is {}; expected {}", token.text, kind_name(*token.value), wanted));
 }
@@ -170,6 +173,7 @@ std::string printable(std::string text) {
 }  // namespace
 
 void Interpreter::fail(const Place& place, std::string_view what) const {
+    if (library_values_ > 0) throw LibraryFailure{std::make_shared<Unusable>(Unusable{place, std::string(what)})};
     std::string message = fmt::format("{}: {}", to_string(place), what);
     int shown = 0;
     for (auto block = blocks_.rbegin(); block != blocks_.rend() && shown < 3; ++block) {

@@ -197,6 +197,10 @@ private:
     Value right_side(bool as_argument, std::size_t caller_scope, bool needs_semicolon);
     /// The right side of a declaration. Of textures over one another the uppermost counts, when it is opaque.
     Value declared_value();
+    /// What fail() throws while a library's value is read: nobody may ever want it as a message.
+    struct LibraryFailure {
+        Shared<Unusable> unusable;
+    };
     /// The same in one of POV-Ray's include files: what is not in the subset becomes unusable, and is skipped.
     Value library_value();
     void skip_value();  ///< up to the brace that closes it, or to a ';' or '#' before any
@@ -291,6 +295,7 @@ private:
         bool used = false;
     };
     Watched time_, wavelength_;
+    int library_values_ = 0;  ///< being read, inside of one another
 };
 
 }  // namespace rays::sdl

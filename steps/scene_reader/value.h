@@ -49,6 +49,7 @@ struct Reference {
 
 /// What one of POV-Ray's include files declares and Raysteps does not know. Only who uses it gets an error.
 struct Unusable {
+    Place place;
     std::string why;
 };
 

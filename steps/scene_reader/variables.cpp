@@ -1,7 +1,6 @@
 // Names and what they stand for: #declare, #local, scopes, arrays.
 #include <fmt/format.h>
 
-#include "core/error.h"
 #include "scene_reader/drafts.h"
 #include "scene_reader/interpreter.h"
 
@@ -87,6 +86,9 @@ void Interpreter::declare(bool local, Place place) {
              fmt::format("an array of {} cannot hold {}; declare another array", kind_name(*slot), kind_name(value)));
     }
     *slot = std::move(value);
+    // From now on it is the scene's own variable.
+    if (slot.get() == time_.slot) time_.slot = nullptr;
+    if (slot.get() == wavelength_.slot) wavelength_.slot = nullptr;
     ++changes_;
     hold_ = true;
     accept(';');
@@ -234,15 +236,17 @@ Value Interpreter::library_value() {
     const bool outer_hold = hold_, outer_left = left_side_;
     const int depth = depth_;
     const Parameters outer = parameters_;
+    ++library_values_;
     try {
-        return declared_value();
-    } catch (const InputError& error) {
+        Value value = declared_value();
+        --library_values_;
+        return value;
+    } catch (const LibraryFailure& failure) {
+        --library_values_;
         const bool can_go_on = blocks_.size() >= blocks && files_.size() == files && scopes_.size() >= scopes &&
                                depth_ == depth && budget_.work > 0 && budget_.memory > 0;
-        if (!can_go_on) throw;
-        const std::string what = error.what();
-        auto unusable = std::make_shared<Unusable>(Unusable{what.substr(0, what.find('\n'))});
-        hold(sizeof(Unusable) + unusable->why.capacity());
+        if (!can_go_on) fail(failure.unusable->place, failure.unusable->why);
+        hold(sizeof(Unusable) + failure.unusable->why.capacity());
         blocks_.resize(blocks);
         while (scopes_.size() > scopes) leave_scope();
         parameters_ = outer;
@@ -252,7 +256,7 @@ Value Interpreter::library_value() {
         scanner_.move_to(start.source, start.at);
         skip_value();
         Value value;
-        value.is = Shared<Unusable>(std::move(unusable));
+        value.is = failure.unusable;
         return value;
     }
 }

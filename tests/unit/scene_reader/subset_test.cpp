@@ -75,7 +75,7 @@ TEST(Subset, WhatPovRaysFilesDeclareBeyondTheSubsetIsAnErrorForItsUsers) {
     EXPECT_EQ(scene.materials[scene.objects[0].material].pigment.color.filter, 0.9f);
     const std::string error = error_of("#include \"textures.inc\"\nsphere { 0, 1 texture { Jade } }");
     EXPECT_TRUE(contains(error, "test.pov:2:25: 'Jade' holds what is not in the subset")) << error;
-    EXPECT_TRUE(contains(error, "textures.inc:")) << error;
+    EXPECT_TRUE(contains(error, "(textures.inc:63:5: 'marble' is not in the subset")) << error;
     // A copy, an array's element and an expression are no way around.
     for (const char* text :
          {"#declare Copy = Jade; #declare Copies = array[1] { Copy } sphere { 0, 1 texture { Copies[0] } }",

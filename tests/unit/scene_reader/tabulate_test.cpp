@@ -84,6 +84,18 @@ TEST(Tabulate, ADefaultForPovRayIsLeftAlone) {
 
 TEST(Tabulate, UnusedVariablesCostNothing) { EXPECT_TRUE(scene_of("sphere { 0, 1 }").varying.empty()); }
 
+// A scene that varies is read some twenty times. POV-Ray's transforms.inc has a macro with a parameter Time.
+TEST(Tabulate, OthersWithTheNameAreNotTheVariable) {
+    const std::string mesh =
+        "mesh { triangle { 0, x, y } translate Far*x }";  // worked into the corners unless something varies
+    for (const char* text :
+         {"#declare Far = 1; #macro Move(Time, Wavelength) Time + Wavelength #end ",
+          "#declare Time = 2; #declare Far = Time; ", "#declare Far = 1; #local Wavelength = Far; "}) {
+        EXPECT_EQ(scene_of(text + mesh).objects[0].transform, kNone) << text;
+    }
+    EXPECT_NE(scene_of("#declare Time = 2*Time; #declare Far = Time; " + mesh).objects[0].transform, kNone);
+}
+
 TEST(Tabulate, SwitchedOffTheFirstValueStays) {
     ReadOptions options;
     options.tabulate = false;
