@@ -19,7 +19,8 @@ std::string to_string(const Place& place) {
     const char* line_start = place.source->begin();
     long line = 1;
     for (const char* p = line_start; p < at; ++p) {
-        if (*p == '\n') {
+        const bool ends_line = *p == '\n' || (*p == '\r' && p[1] != '\n');  // old Macs end lines by \r alone
+        if (ends_line) {
             ++line;
             line_start = p + 1;
         }

@@ -87,7 +87,7 @@ void Scanner::skip_blanks_uncounted() {
         if (*at_ == '\0' && at_ < end_) {  // POV-Ray passes over NUL bytes, too
             ++at_;
         } else if (at_[0] == '/' && at_[1] == '/') {
-            at_ = next(at_, '\n', end_);
+            while (at_ < end_ && *at_ != '\n' && *at_ != '\r') ++at_;  // old Macs end lines by \r alone
         } else if (at_[0] == '/' && at_[1] == '*') {
             const Place opened = place();
             int depth = 0;  // comments nest

@@ -64,6 +64,15 @@ TEST(Language, ErrorsInMacrosSayWhoCalled) {
     EXPECT_TRUE(contains(error, "in macro Ball, called at test.pov:5:1")) << error;
 }
 
+TEST(Language, LinesEndAsOnAnySystem) {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        const Scene scene = scene_of("// a comment" + end + "sphere { 0, 1 } // another" + end + "box { 0, 1 }");
+        EXPECT_EQ(scene.objects.size(), 2u) << ::testing::PrintToString(end);
+        EXPECT_TRUE(contains(error_of("sphere { 0, 1 }" + end + "// a comment" + end + "  nothing"), "test.pov:3:3:"))
+            << ::testing::PrintToString(end);
+    }
+}
+
 TEST(Language, ConditionsMayCallMacros) {
     const std::string macros = "#macro Less(A, B) (A < B) #end #macro Two() 2 #end ";
     const Scene scene =
