@@ -10,7 +10,7 @@
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 //> hidden
-#include "4_partitioning/beyond/wide_tree.h"
+#include "4_partitioning/beyond/hierarchy.h"
 //< hidden
 
 namespace rays {
@@ -63,18 +63,11 @@ private:
 
 class Bvh final : public Intersector {
 public:
-    explicit Bvh(const Scene& scene) : tester_(scene) {
-        std::vector<Item> items;
-        items.reserve(tester_.primitives().size());
-        for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i) {
-            const Bounds bounds = bounds_of(scene, tester_.primitives()[i]);
-            if (!bounds.is_finite())
-                unbounded_.push_back(i);
-            else
-                items.push_back({widened(bounds), i, leaf_kind(scene, tester_.primitives()[i])});
-        }
-        tree_ = Builder(scene, tester_.primitives(), std::move(items), kMostInLeaf).collapsed();
-    }
+    explicit Bvh(std::shared_ptr<const Hierarchy> hierarchy)
+        : hierarchy_(std::move(hierarchy)),
+          tester_(hierarchy_->tester),
+          unbounded_(hierarchy_->unbounded),
+          tree_(hierarchy_->tree) {}
 
 private:
     struct LastOccluder {
@@ -204,18 +197,27 @@ private:
         return false;
     }
 
-    PrimitiveTester tester_;
+    const std::shared_ptr<const Hierarchy> hierarchy_;
+    const PrimitiveTester& tester_;
+    const std::vector<std::uint32_t>& unbounded_;
+    const Tree& tree_;
     const std::uint64_t number_ = next_number();
-    std::vector<std::uint32_t> unbounded_;
-    Tree tree_;
 };
 
 }  // namespace
+
+std::shared_ptr<const Hierarchy> wide::make_hierarchy(const Scene& scene) {
+    return std::make_shared<const Hierarchy>(scene, kMostInLeaf);
+}
+
+std::unique_ptr<Intersector> wide::make_bvh(std::shared_ptr<const Hierarchy> hierarchy) {
+    return std::make_unique<Bvh>(std::move(hierarchy));
+}
 //< hidden
 
 std::unique_ptr<Intersector> make_bvh(const Scene& scene) {
     //> 4.10 Beyond the step: any structure of your own, the faster the better. Until then, the octree stands in.
-    return std::make_unique<Bvh>(scene);
+    return wide::make_bvh(wide::make_hierarchy(scene));
     //< 4.10
 }
 

@@ -1,0 +1,227 @@
+// Step 3 for eight rays at once: what they meet is lit together, and mirrored together while it stays together. What
+// lets light through is left to single rays: there, neighbours soon part.
+#include "renderer/packets.h"
+
+#include <bit>
+#include <cmath>
+
+#include "packets/intersector.h"
+#include "packets/shading.h"
+
+namespace rays {
+namespace packets {
+namespace {
+
+/// What each ray brings, in memory: lanes are written group by group.
+struct Brought {
+    alignas(32) float lanes[3][kLanes] = {};
+
+    void set(Mask where, const Radiances& all) {
+        const Radiances mixed = select(where, all, load());
+        mixed.r.store(lanes[0]), mixed.g.store(lanes[1]), mixed.b.store(lanes[2]);
+    }
+    void set(int i, const Radiance& one) {
+        for (int c = 0; c < 3; ++c) lanes[c][i] = one[c];
+    }
+    Radiances load() const { return {Floats::load(lanes[0]), Floats::load(lanes[1]), Floats::load(lanes[2])}; }
+};
+
+/// Eight branches of one level, all of them in the same media.
+struct Branches {
+    Rays rays;
+    Mask active;
+    int level = 0;
+    Floats weight{1.0f};
+    const Inside& inside;
+};
+
+class Tracer final : public PacketTracer {
+public:
+    Tracer(const PacketIntersector& intersector, World& world)
+        : scene_(world.scene), intersector_(intersector), world_(world), shadows_(intersector, world) {}
+
+    void radiance(const Ray (&rays)[kPacketSize], unsigned active, const Inside& inside,
+                  Radiance (&result)[kPacketSize], double (&pruned)[kPacketSize]) override {
+        Spread o[3], d[3];
+        for (int i = 0; i < kLanes; ++i)
+            for (int a = 0; a < 3; ++a) {
+                o[a].lane[i] = rays[i].origin[a];
+                d[a].lane[i] = rays[i].direction[a];
+            }
+        const auto load = [](const Spread(&v)[3]) {
+            return Vec3s(Reals::load(v[0].lane), Reals::load(v[1].lane), Reals::load(v[2].lane));
+        };
+        pruned_ = pruned;
+        for (double& p : pruned) p = 0;
+        const Branches branches{Rays(load(o), normalize(load(d))), Mask::of(active), 0, Floats(1.0f), inside};
+        Brought brought;
+        trace(branches, brought);
+        for (int i = 0; i < kLanes; ++i)
+            result[i] = {brought.lanes[0][i], brought.lanes[1][i], brought.lanes[2][i]};
+    }
+
+private:
+    /// Below so many rays, single ones are faster; measured (NOTES.md).
+    static constexpr int kFewest = 3;
+
+    void trace(const Branches& branches, Brought& brought) {
+        const unsigned active = branches.active.bits();
+        if (std::popcount(active) < kFewest) return trace_single(branches, brought);
+        const Hits hits = intersector_.nearest(branches.rays, branches.active, kNearest, kFarthest);
+        brought.set(branches.active - Mask::of(hits.are), Radiances(scene_.background));
+        for (unsigned rest = hits.are; rest != 0;) {
+            const std::uint32_t material = hits.material[std::countr_zero(rest)];
+            unsigned lanes = 0;
+            each_lane(rest, [&](int i) { lanes |= unsigned{hits.material[i] == material} << i; });
+            rest &= ~lanes;
+            if (lets_light_through(scene_.materials[material].pigment))
+                outgoing_single(branches, hits, lanes, brought);
+            else
+                outgoing(branches, hits, Mask::of(lanes), scene_.materials[material], brought);
+        }
+    }
+
+    // ---- One by one ---------------------------------------------------------------------------------------------
+
+    Branch branch_of(const Branches& branches, const SpreadRays& rays, int i) const {
+        alignas(32) float weights[kLanes];
+        branches.weight.store(weights);
+        Branch branch;
+        branch.ray = rays[i];
+        branch.level = branches.level;
+        branch.weight = weights[i];
+        branch.inside = branches.inside;
+        return branch;
+    }
+    template <class What>
+    void one_by_one(const Branches& branches, unsigned lanes, Brought& brought, What what) {
+        const SpreadRays rays(branches.rays);
+        each_lane(lanes, [&](int i) {
+            world_.pruned = 0;
+            brought.set(i, what(branch_of(branches, rays, i), i));
+            pruned_[i] += world_.pruned;
+        });
+    }
+    void trace_single(const Branches& branches, Brought& brought) {
+        one_by_one(branches, branches.active.bits(), brought,
+                   [&](const Branch& branch, int) { return rays::trace(world_, branch); });
+    }
+    void outgoing_single(const Branches& branches, const Hits& hits, unsigned lanes, Brought& brought) {
+        one_by_one(branches, lanes, brought, [&](const Branch& branch, int i) {
+            const Hit hit = hits[i];
+            return rays::outgoing(world_, {branch, hit.t, surface_at(scene_, hit, -branch.ray.direction),
+                                           medium_of(scene_, hit.object)});
+        });
+    }
+
+    // ---- Together -----------------------------------------------------------------------------------------------
+
+    /// Of hits on the same, opaque material.
+    void outgoing(const Branches& branches, const Hits& hits, Mask lanes, const Material& material,
+                  Brought& brought) {
+        const Surfaces at = surfaces_at(scene_, hits, lanes, material, -branches.rays.direction);
+        Radiances sum = direct_light(scene_, shadows_, at, branches.inside);
+        const Reflection& mirror = material.finish.reflection;
+        if (!mirror.max.is_black() || !mirror.min.is_black()) {
+            const Radiances share = reflectivity(branches, hits, at);
+            const Mask mirrors = lanes & is_not_black(share);
+            if (mirrors.any()) sum = select(mirrors, sum + share * mirrored(branches, at, mirrors, share), sum);
+        }
+        brought.set(lanes, sum);
+    }
+
+    /// How much a finish mirrors: task 3.4.
+    Radiances reflectivity(const Branches& branches, const Hits& hits, const Surfaces& at) const {
+        const Reflection& r = at.finish->reflection;
+        const Reals cosine = dot(at.normal, at.to_viewer), zero(0), one(1);
+        const Reals c = select(cosine < zero, zero, select(cosine > one, one, cosine));
+        Reals f = one - c;
+        if (r.fresnel) {
+            Spread shares(zero), cosines(c);
+            each_lane(at.are.bits(), [&](int i) {
+                const Real ior = fresnel_ior(scene_, branches.inside, medium_of(scene_, hits.object[i]));
+                shares.lane[i] = fresnel(cosines[i], ior);
+            });
+            f = Reals::load(shares.lane);
+        } else if (r.falloff != 1) {
+            const Mask positive = f > zero;
+            f = select(positive, power(positive, f, r.falloff), Reals(std::pow(Real(0), Real(r.falloff))));
+        }
+        Radiances share = Floats(f) * Radiances(r.max) + Floats(one - f) * Radiances(r.min);
+        if (r.metallic != 0) share = share * metal_tint(at, c, r.metallic);
+        return share;
+    }
+
+    static Radiances metal_tint(const Surfaces& at, Reals c, float metallic) {
+        const Spread cosines(c);
+        alignas(32) float tints[kLanes] = {};
+        each_lane(at.are.bits(), [&](int i) {
+            const Real x = std::acos(cosines[i]) / (kPi / 2) - Real(1.12);
+            const Real grazing = std::clamp(Real(0.014567225) / (x * x) - Real(0.011612903), Real(0), Real(1));
+            tints[i] = metallic * static_cast<float>(1 - grazing);
+        });
+        const Radiances white(Floats(1.0f), Floats(1.0f), Floats(1.0f));
+        return white + Floats::load(tints) * (at.color - white);
+    }
+
+    /// What the mirror directions bring: tasks 3.1, 3.8 and 3.9.
+    Radiances mirrored(const Branches& from, const Surfaces& at, Mask lanes, const Radiances& share) {
+        const Reflection& mirror = at.finish->reflection;
+        const Vec3s& d = from.rays.direction;
+        const Vec3s direction = normalize(d - (Reals(2) * dot(d, at.normal)) * at.normal);
+        const Floats largest = mirror.fresnel ? max(share.r, max(share.g, share.b))
+                                              : Floats(std::max(mirror.max.largest(), mirror.min.largest()));
+        Branches branches{Rays(at.point, direction), lanes, from.level + 1, from.weight * largest, from.inside};
+        prune(branches);
+        Brought brought;
+        if (branches.active.any()) trace(branches, brought);
+        if (mirror.exponent != 1)
+            for (auto& lane : brought.lanes)
+                for (float& v : lane) v = std::pow(v, mirror.exponent);
+        return brought.load();
+    }
+
+    /// Takes away the branches that are too deep or bring too little.
+    void prune(Branches& branches) {
+        const GlobalSettings& settings = scene_.settings;
+        alignas(32) float weights[kLanes];
+        branches.weight.store(weights);
+        unsigned kept = 0;
+        each_lane(branches.active.bits(), [&](int i) {
+            if (branches.level >= settings.max_trace_level || weights[i] < settings.adc_bailout)
+                pruned_[i] += weights[i];
+            else
+                kept |= 1u << i;
+        });
+        branches.active = Mask::of(kept);
+    }
+
+    const Scene& scene_;
+    const PacketIntersector& intersector_;
+    World& world_;
+    Shadows shadows_;
+    double* pruned_ = nullptr;  ///< of the packet in hand
+};
+
+class ScenePackets final : public Packets {
+public:
+    explicit ScenePackets(const Scene& scene) : intersector_(scene) {}
+    const Intersector& intersector() const override { return intersector_.single(); }
+    std::unique_ptr<PacketTracer> tracer(World& world) const override {
+        return std::make_unique<Tracer>(intersector_, world);
+    }
+
+private:
+    PacketIntersector intersector_;
+};
+
+}  // namespace
+}  // namespace packets
+
+std::unique_ptr<Packets> make_packets(const Scene& scene) {
+    // Below 0, what weighs nothing is traced, too: that is for single rays.
+    if (!(scene.settings.adc_bailout >= 0) || scene.settings.max_trace_level < 1) return nullptr;
+    return std::make_unique<packets::ScenePackets>(scene);
+}
+
+}  // namespace rays

@@ -1,0 +1,44 @@
+// Step 2 for eight points of the same material: what they send to the viewer.
+#pragma once
+
+#include <vector>
+
+#include "3_recursion/recursion.h"
+#include "packets/hits.h"
+#include "packets/intersector.h"
+
+namespace rays::packets {
+
+/// As eight of `Surface`, all of them opaque and of one finish.
+struct Surfaces {
+    Mask are;
+    Vec3s point, normal, to_viewer;
+    Radiances color;
+    const Finish* finish;
+};
+
+/// The points of `hits` at `lanes`, which share a material.
+Surfaces surfaces_at(const Scene& scene, const Hits& hits, Mask lanes, const Material& material,
+                     const Vec3s& to_viewer);
+
+/// How much of the light number `light` gets to the points, in the given directions and distances.
+class Shadows {
+public:
+    Shadows(const PacketIntersector& intersector, const World& world)
+        : intersector_(intersector), world_(world), last_(world.scene.lights.size(), kNone) {}
+
+    Radiances visibility(std::size_t light, const Vec3s& point, Mask lanes, const Vec3s& to_light, Reals distance,
+                         const Inside& inside);
+
+private:
+    const PacketIntersector& intersector_;
+    const World& world_;
+    std::vector<std::uint32_t> last_;  ///< who blocked each light last
+};
+
+Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& surfaces, const Inside& inside);
+
+/// x^exponent for positive x; 1 for the lanes that are not asked. To less than 4 units in the last place.
+Reals power(Mask lanes, Reals x, double exponent);
+
+}  // namespace rays::packets
