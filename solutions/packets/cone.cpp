@@ -6,21 +6,6 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-struct RootPairs {
-    Mask are;
-    Reals first, second;
-};
-
-RootPairs quadratic_roots(Reals a, Reals b, Reals c) {
-    const Reals ac = a * c, zero(0);
-    const Reals discriminant = fma(b, b, -ac) + fma(-a, c, ac);
-    const Reals q = -(b + copysign(sqrt(discriminant), b));
-    const Mask at_zero = q == zero;
-    const Reals t0 = select(at_zero, zero, q / a), t1 = select(at_zero, zero, c / q);
-    const Mask ordered = t0 < t1;
-    return {(discriminant >= zero) - (at_zero & (a == zero)), select(ordered, t0, t1), select(ordered, t1, t0)};
-}
-
 /// The part of each ray that is inside, and which surface its ends lie on.
 struct Chords {
     Reals enter{-kInfinity}, leave{kInfinity}, enter_part{0.0}, leave_part{0.0};

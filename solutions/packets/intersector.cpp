@@ -35,21 +35,6 @@ private:
     mutable std::optional<SpreadRays> single_;
 };
 
-namespace {
-
-/// Shapes that eight rays can ask at once; the others are asked ray by ray.
-bool has_packet_test(const Object& object) {
-    if (object.transform != kNone || object.clip != kNone) return false;
-    switch (object.kind) {
-        case ShapeKind::quadric:
-        case ShapeKind::torus:
-        case ShapeKind::bicubic_patch: return false;
-        default: return true;
-    }
-}
-
-}  // namespace
-
 PacketIntersector::PacketIntersector(const Scene& scene)
     : hierarchy_(wide::make_hierarchy(scene)), single_(wide::make_bvh(hierarchy_)) {
     for (const Material& m : scene.materials) clear_materials_.push_back(lets_light_through(m.pigment));
@@ -206,20 +191,20 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
                              asked.sheared(), asked.span);
         case Way::other: break;
     }
-    switch (s.objects[hierarchy_->tester.primitives()[primitive].object].kind) {
-        case ShapeKind::smooth_triangle:
-            return asked.sheared().intersect(s.smooth_triangles[dispatch.shape].triangle, asked.span);
-        case ShapeKind::polygon: return intersect(s.polygons[dispatch.shape], asked.rays, asked.span);
-        case ShapeKind::disc: return intersect(s.discs[dispatch.shape], asked.rays, asked.span);
-        default: return intersect(s.boxes[dispatch.shape], asked.rays, asked.span);
-    }
+    const Primitive p = hierarchy_->tester.primitives()[primitive];
+    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.span,
+                            [&]() -> const ShearedRays& { return asked.sheared(); });
+}
+
+bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
+    const PrimitiveTester& tester = hierarchy_->tester;
+    return tester.dispatch(primitive).way != Way::other ||
+           packets::has_packet_test(scene(), scene().objects[tester.primitives()[primitive].object]);
 }
 
 bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
     const PrimitiveTester& tester = hierarchy_->tester;
-    if (tester.dispatch(primitive).way != Way::other ||
-        has_packet_test(scene().objects[tester.primitives()[primitive].object]))
-        return found.keep_nearer(roots_of(primitive, asked), primitive);
+    if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), primitive);
     bool changed = false;
     const Spread ends(asked.span.far);
     each_lane(asked.active.bits(), [&](int i) {
@@ -237,10 +222,8 @@ bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked,
 
 Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const {
     const PrimitiveTester& tester = hierarchy_->tester;
-    const auto& dispatch = tester.dispatch(primitive);
-    if (!dispatch.casts) return Mask::of(0);
-    if (dispatch.way != Way::other || has_packet_test(scene().objects[tester.primitives()[primitive].object]))
-        return roots_of(primitive, asked).is & open;
+    if (!tester.dispatch(primitive).casts) return Mask::of(0);
+    if (has_packet_test(primitive)) return roots_of(primitive, asked).is & open;
     unsigned blocked = 0;
     const Spread ends(asked.span.far);
     each_lane(open.bits(), [&](int i) {
@@ -270,27 +253,34 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
     const Primitive p = hierarchy_->tester.primitives()[primitive];
     const Scene& s = scene();
     const Object& object = s.objects[p.object];
-    if (!has_packet_test(object)) {
+    if (!has_packet_test(primitive)) {
         const SpreadRays single(rays);
         each_lane(lanes.bits(), [&](int i) { hits.set(i, complete_hit(s, p.object, single[i], found.root(i))); });
         return;
     }
     std::uint32_t material = object.material;
-    const auto set_normals = [&](const Vec3s& n) {
+    const Transform* transform = object.transform == kNone ? nullptr : &s.transforms[object.transform];
+    const Vec3s world = hits.point.load();
+    const Vec3s point =
+        transform ? times(transform->inverse_linear, world) + Vec3s(transform->inverse_offset) : world;
+    const auto set_normals = [&](Vec3s n) {
+        if (transform) n = normalize(times(glm::transpose(transform->inverse_linear), n));
         hits.normal.set(lanes, n);
         hits.shading_normal.set(lanes, n);
     };
+    // Of unit length in the world: a normal that is still to be moved need not be.
+    const auto unit = [&](const Vec3s& n) { return transform ? n : normalize(n); };
     const auto flat = [](const Triangle& t) { return Vec3s(glm::normalize(glm::cross(t.b - t.a, t.c - t.a))); };
     switch (object.kind) {
         case ShapeKind::sphere:
-            set_normals(normalize(normal(s.spheres[object.shape], hits.point.load())));
+            set_normals(unit(normal(s.spheres[object.shape], point)));
             break;
-        case ShapeKind::plane: set_normals(glm::normalize(s.planes[object.shape].normal)); break;
-        case ShapeKind::disc: set_normals(glm::normalize(s.discs[object.shape].normal)); break;
-        case ShapeKind::polygon: set_normals(glm::normalize(s.polygons[object.shape].plane.normal)); break;
+        case ShapeKind::plane: set_normals(unit(s.planes[object.shape].normal)); break;
+        case ShapeKind::disc: set_normals(unit(s.discs[object.shape].normal)); break;
+        case ShapeKind::polygon: set_normals(unit(s.polygons[object.shape].plane.normal)); break;
         case ShapeKind::triangle: set_normals(flat(s.triangles[object.shape])); break;
         case ShapeKind::cone:
-            set_normals(normalize(normal(s.cones[object.shape], hits.point.load(), found.part)));
+            set_normals(unit(normal(s.cones[object.shape], point, found.part)));
             break;
         case ShapeKind::smooth_triangle: {
             const SmoothTriangle& t = s.smooth_triangles[object.shape];
@@ -311,7 +301,8 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
             }
             break;
         }
-        default: set_normals(normalize(box_normal(found.part))); break;
+        case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
+        default: set_normals(unit(box_normal(found.part))); break;
     }
     each_lane(lanes.bits(), [&](int i) {
         hits.object[i] = p.object;

@@ -7,7 +7,7 @@
 #include "core/intersector.h"
 #include "packets/beam.h"
 #include "packets/hits.h"
-#include "packets/shapes.h"
+#include "packets/placed.h"
 
 namespace rays::packets {
 
@@ -37,6 +37,7 @@ public:
 private:
     class Asked;
     bool is_clear(std::uint32_t primitive) const;
+    bool has_packet_test(std::uint32_t primitive) const;
     template <class Ask>
     void walk(Beam& beam, Ask ask) const;
     Roots roots_of(std::uint32_t primitive, const Asked& asked) const;

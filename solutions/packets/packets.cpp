@@ -12,6 +12,11 @@ namespace rays {
 namespace packets {
 namespace {
 
+// Of the pixels of a block.
+const Reals kColumns{_mm256_setr_pd(0, 1, 2, 3), _mm256_setr_pd(0, 1, 2, 3)};
+const Reals kRows{_mm256_setzero_pd(), _mm256_set1_pd(1)};
+static_assert(kPacketWidth == 4 && kPacketHeight == 2 && kPacketSize == kLanes);
+
 /// What each ray brings, in memory: lanes are written group by group.
 struct Brought {
     alignas(32) float lanes[3][kLanes] = {};
@@ -35,29 +40,34 @@ struct Branches {
     const Inside& inside;
 };
 
+Mask in_raster(const Raster& raster, Block block) {
+    const Reals columns = Reals(block.x) + kColumns, rows = Reals(block.y) + kRows;
+    return (columns < Reals(raster.width)) & (rows < Reals(raster.height));
+}
+
+/// Step 1's camera_ray, its direction made of unit length.
+Rays camera_rays(const Camera& camera, const Raster& raster, Block block, Vec2 offset) {
+    const Reals from_left = (Reals(block.x) + kColumns + Reals(0.5) + Reals(offset.x)) / Reals(raster.width);
+    const Reals from_top = (Reals(block.y) + kRows + Reals(0.5) + Reals(offset.y)) / Reals(raster.height);
+    const Reals x = from_left - Reals(0.5), y = Reals(0.5) - from_top;
+    const Vec3s right(camera.right), up(camera.up), direction(camera.direction), location(camera.location);
+    if (camera.kind == Camera::Kind::orthographic) return {location + x * right + y * up, normalize(direction)};
+    return {location, normalize(direction + x * right + y * up)};
+}
+
 class Tracer final : public PacketTracer {
 public:
     Tracer(const PacketIntersector& intersector, World& world)
         : scene_(world.scene), intersector_(intersector), world_(world), shadows_(intersector, world) {}
 
-    void radiance(const Ray (&rays)[kPacketSize], unsigned active, const Inside& inside,
-                  Radiance (&result)[kPacketSize], double (&pruned)[kPacketSize]) override {
-        Spread o[3], d[3];
-        for (int i = 0; i < kLanes; ++i)
-            for (int a = 0; a < 3; ++a) {
-                o[a].lane[i] = rays[i].origin[a];
-                d[a].lane[i] = rays[i].direction[a];
-            }
-        const auto load = [](const Spread(&v)[3]) {
-            return Vec3s(Reals::load(v[0].lane), Reals::load(v[1].lane), Reals::load(v[2].lane));
-        };
+    void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
+                      Radiance (&sum)[kPacketSize], double (&pruned)[kPacketSize]) override {
         pruned_ = pruned;
-        for (double& p : pruned) p = 0;
-        const Branches branches{Rays(load(o), normalize(load(d))), Mask::of(active), 0, Floats(1.0f), inside};
         Brought brought;
-        trace(branches, brought);
+        trace({camera_rays(scene_.camera, raster, block, offset), in_raster(raster, block), 0, Floats(1.0f), inside},
+              brought);
         for (int i = 0; i < kLanes; ++i)
-            result[i] = {brought.lanes[0][i], brought.lanes[1][i], brought.lanes[2][i]};
+            sum[i] += Radiance(brought.lanes[0][i], brought.lanes[1][i], brought.lanes[2][i]);
     }
 
 private:

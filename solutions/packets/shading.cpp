@@ -96,11 +96,7 @@ Radiances pigment_at(const Scene& scene, const Pigment& pigment, const Vec3s& po
     Vec3s local = point;
     if (pigment.transform != kNone) {
         const Transform& t = scene.transforms[pigment.transform];
-        const Mat3& m = t.inverse_linear;
-        local = Vec3s(m[0][0] * point.x + m[1][0] * point.y + m[2][0] * point.z,
-                      m[0][1] * point.x + m[1][1] * point.y + m[2][1] * point.z,
-                      m[0][2] * point.x + m[1][2] * point.y + m[2][2] * point.z) +
-                Vec3s(t.inverse_offset);
+        local = times(t.inverse_linear, point) + Vec3s(t.inverse_offset);
     }
     const Reals e(Real(1e-10)), cubes = floor(local.x + e) + floor(local.y + e) + floor(local.z + e);
     const Reals half = cubes * Reals(0.5);

@@ -175,6 +175,24 @@ inline Vec3s box_normal(Reals part) {
     return {along(0), along(1), along(2)};
 }
 
+// ---- Quadratic equations --------------------------------------------------------------------------------------------
+
+struct RootPairs {
+    Mask are;
+    Reals first, second;
+};
+
+/// The real roots of a t^2 + 2 b t + c; first <= second.
+inline RootPairs quadratic_roots(Reals a, Reals b, Reals c) {
+    const Reals ac = a * c, zero(0);
+    const Reals discriminant = fma(b, b, -ac) + fma(-a, c, ac);
+    const Reals q = -(b + copysign(sqrt(discriminant), b));
+    const Mask at_zero = q == zero;
+    const Reals t0 = select(at_zero, zero, q / a), t1 = select(at_zero, zero, c / q);
+    const Mask ordered = t0 < t1;
+    return {(discriminant >= zero) - (at_zero & (a == zero)), select(ordered, t0, t1), select(ordered, t1, t0)};
+}
+
 // ---- Cones and cylinders --------------------------------------------------------------------------------------------
 
 Roots intersect(const Cone& cone, const Rays& rays, const Span& span);

@@ -10,14 +10,22 @@ namespace rays {
 inline constexpr int kPacketWidth = 4, kPacketHeight = 2;  ///< pixels of a packet
 inline constexpr int kPacketSize = kPacketWidth * kPacketHeight;
 
+/// A block of neighbouring pixels, row by row from its upper left corner.
+struct Block {
+    int x = 0, y = 0;
+    int column(int i) const { return x + i % kPacketWidth; }
+    int row(int i) const { return y + i / kPacketWidth; }
+};
+
 /// One thread's.
 class PacketTracer {
 public:
     virtual ~PacketTracer() = default;
-    /// What `radiance` of renderer/radiance.h gives for each of the rays whose bit is set in `active`, and what pruning
-    /// leaves open in each (World::pruned). Directions of any length, all rays in the same media.
-    virtual void radiance(const Ray (&rays)[kPacketSize], unsigned active, const Inside& inside,
-                          Radiance (&result)[kPacketSize], double (&pruned)[kPacketSize]) = 0;
+    /// Adds to each pixel of a block what camera_ray and `radiance` bring it, through its point at `offset`, and to
+    /// `pruned` what pruning leaves open (World::pruned). Pixels beyond the raster get nothing. All rays start in the
+    /// same media.
+    virtual void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
+                              Radiance (&sum)[kPacketSize], double (&pruned)[kPacketSize]) = 0;
 };
 
 /// What all threads share.

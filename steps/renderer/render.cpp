@@ -29,6 +29,8 @@ public:
           fixed_(world.scene.camera.kind == Camera::Kind::perspective) {
         if (asked_ && fixed_) media_ = media_around(scene_, scene_.camera.location);
     }
+    /// Where all start in the same.
+    const Inside& fixed() const { return media_; }
     Inside at(const Vec3& origin) const { return asked_ && !fixed_ ? media_around(scene_, origin) : media_; }
 
 private:
@@ -98,33 +100,19 @@ void render_row(World& world, const CameraMedia& media, const RenderOptions& opt
 }
 
 /// The rows y, y + 1, .. that packets cover, as far as they are in the picture.
-void render_packets(PacketTracer& tracer, const Camera& camera, const CameraMedia& media, const RenderOptions& options,
-                    int y, Film& film, Residuals& residuals) {
+void render_packets(PacketTracer& tracer, const CameraMedia& media, const RenderOptions& options, int y, Film& film,
+                    Residuals& residuals) {
     const Grid grid(options.samples);
     const Raster& raster = options.raster;
-    for (int x = 0; x < raster.width; x += kPacketWidth) {
-        const auto column = [&](int i) { return x + i % kPacketWidth; };
-        const auto row = [&](int i) { return y + i / kPacketWidth; };
-        unsigned active = 0;
-        for (int i = 0; i < kPacketSize; ++i)
-            if (column(i) < raster.width && row(i) < raster.height) active |= 1u << i;
+    for (Block block{0, y}; block.x < raster.width; block.x += kPacketWidth) {
         Radiance sum[kPacketSize];
         double pruned[kPacketSize] = {};
-        grid.each([&](Vec2 offset) {
-            Ray rays[kPacketSize];
-            for (int i = 0; i < kPacketSize; ++i) rays[i] = camera_ray(camera, raster, column(i), row(i), offset);
-            Radiance brought[kPacketSize];
-            double left[kPacketSize];
-            tracer.radiance(rays, active, media.at(camera.location), brought, left);
-            for (int i = 0; i < kPacketSize; ++i) {
-                sum[i] += brought[i];
-                pruned[i] += left[i];
-            }
-        });
+        grid.each([&](Vec2 offset) { tracer.add_radiance(raster, block, offset, media.fixed(), sum, pruned); });
         for (int i = 0; i < kPacketSize; ++i) {
-            if (!(active >> i & 1)) continue;
-            film.at(column(i), row(i)) = grid.mean(sum[i]);
-            residuals.add(column(i), row(i), pruned[i] / options.samples);
+            const int column = block.column(i), row = block.row(i);
+            if (column >= raster.width || row >= raster.height) continue;
+            film.at(column, row) = grid.mean(sum[i]);
+            residuals.add(column, row, pruned[i] / options.samples);
         }
     }
 }
@@ -171,7 +159,7 @@ Film render(const Scene& scene, const RenderOptions& options, Residual* residual
         const auto tracer = packets ? packets->tracer(world) : nullptr;
         for (int y = next_row.fetch_add(rows); y < options.raster.height; y = next_row.fetch_add(rows)) {
             if (tracer)
-                render_packets(*tracer, world.scene.camera, media, options, y, film, residuals);
+                render_packets(*tracer, media, options, y, film, residuals);
             else
                 render_row(world, media, options, y, film, residuals);
             if (reports && options.progress) options.progress(double(y + 1) / options.raster.height);
