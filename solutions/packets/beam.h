@@ -18,40 +18,51 @@ using wide::kMaxFloat;
 
 class Beam {
 public:
-    Beam(const Rays& rays, Mask active, Real near, Real far) {
+    Beam(const Rays& rays, Mask active, const Directions::Way& way, Real near, Reals far) : active_(active), way_(way) {
+        const __m256 in = narrow(active);
         for (int a = 0; a < 3; ++a) {
-            const Range origin = over(active, rays.origin[a]), direction = over(active, rays.direction[a]);
-            const bool positive = direction.min >= 0;
-            if (!positive && !(direction.max < 0)) return;
-            if (direction.min == 0 && direction.max > 0) return;
-            near_origin_[a] = _mm256_set1_ps(positive ? above(origin.max) : below(origin.min));
-            far_origin_[a] = _mm256_set1_ps(positive ? below(origin.min) : above(origin.max));
-            const auto inverse = [&](Real d, float slack) {
-                return std::clamp(static_cast<float>(1 / (positive ? std::abs(d) : d)) * slack, -kMaxFloat, kMaxFloat);
-            };
-            const float less = positive ? 1 - kSlack : 1 + kSlack, more = positive ? 1 + kSlack : 1 - kSlack;
-            inverse_min_[a] = _mm256_set1_ps(inverse(direction.max, less));
-            inverse_max_[a] = _mm256_set1_ps(inverse(direction.min, more));
-            positive_[a] = positive;
+            const bool forwards = way.forwards[a];
+            const __m256 o = Floats(rays.origin[a]).v, off = rounding_of(o), less = o - off, more = o + off;
+            lane_near_origin_[a] = forwards ? more : less;
+            lane_far_origin_[a] = forwards ? less : more;
+            near_origin_[a] = forwards ? largest(more, in) : smallest(less, in);
+            far_origin_[a] = forwards ? smallest(less, in) : largest(more, in);
+            // Of 0 and -0 both, the inverse is infinite the same way.
+            const __m256 d = Floats(forwards ? abs(rays.direction[a]) : rays.direction[a]).v;
+            const __m256 inverse = clamped(_mm256_set1_ps(1) / d);
+            lane_near_inverse_[a] = inverse * _mm256_set1_ps(1 - kSlack);
+            lane_far_inverse_[a] = clamped(inverse * _mm256_set1_ps(1 + kSlack));
+            inverse_min_[a] = smallest(forwards ? lane_near_inverse_[a] : lane_far_inverse_[a], in);
+            inverse_max_[a] = largest(forwards ? lane_far_inverse_[a] : lane_near_inverse_[a], in);
         }
-        // The longest axis of the rays, where it is the same for all: what triangles are sheared along.
-        const Vec3s size{abs(rays.direction.x), abs(rays.direction.y), abs(rays.direction.z)};
-        const Mask by_x = (size.x >= size.y) & (size.x >= size.z), by_y = size.y >= size.z;
-        const unsigned x = (by_x & active).bits(), y = ((by_y - by_x) & active).bits(), all = active.bits();
-        longest_axis_ = x == all ? 0 : y == all ? 1 : (x | y) == 0 ? 2 : -1;
-        is_coherent_ = longest_axis_ >= 0;
         near_ = _mm256_set1_ps(std::max(0.0f, below(near)));
-        shorten(far);
+        end_at(far, active);
     }
 
-    /// False when the rays do not go the same way along every axis: then nothing else may be asked.
-    bool is_coherent() const { return is_coherent_; }
-    int longest_axis() const { return longest_axis_; }
-    void shorten(Real t) {
-        far_end_ = t < kMaxFloat ? above(t) : kMaxFloat;
-        far_ = _mm256_set1_ps(far_end_);
+    int longest_axis() const { return way_.longest_axis; }
+    Mask active() const { return active_; }
+
+    /// From now on rays count up to `far`; those that are not open do not count at all.
+    void end_at(Reals far, Mask open) {
+        const __m256 f = clamped(Floats(far).v);
+        lane_far_ = select(open, Floats(f + rounding_of(f)), Floats(-1.0f)).v;
+        far_ = largest(lane_far_);
+        far_end_ = _mm256_cvtss_f32(far_);
     }
     float far_end() const { return far_end_; }
+
+    /// Which rays may meet the box of a child: what they do together, looked at one by one.
+    unsigned rays_that_meet(const wide::Node& node, unsigned child) const {
+        __m256 near = near_, far = lane_far_;
+        for (int a = 0; a < 3; ++a) {
+            const __m256 lo = _mm256_broadcast_ss(&node.lo[a][child]), hi = _mm256_broadcast_ss(&node.hi[a][child]);
+            const __m256 to_near = (way_.forwards[a] ? lo : hi) - lane_near_origin_[a];
+            const __m256 to_far = (way_.forwards[a] ? hi : lo) - lane_far_origin_[a];
+            near = _mm256_max_ps(near, to_near * lane_near_inverse_[a]);
+            far = _mm256_min_ps(far, to_far * lane_far_inverse_[a]);
+        }
+        return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(near, far, _CMP_LE_OQ)));
+    }
 
     /// A bit for each child whose box some ray may meet; where the first may enter, in `enters`.
     unsigned meets(const wide::Node& node, float* enters) const {
@@ -73,6 +84,17 @@ public:
         return meets(lo, hi, nullptr) & ((1u << block.count) - 1);
     }
 
+    unsigned meets(const wide::ConeBlock& block) const {
+        const __m256 radius = _mm256_add_ps(_mm256_load_ps(block.radius), _mm256_set1_ps(block.around.reach * kOff));
+        __m256 lo[3], hi[3];
+        for (int a = 0; a < 3; ++a) {
+            const __m256 half = _mm256_andnot_ps(_mm256_set1_ps(-0.0f), _mm256_load_ps(block.half_axis[a]));
+            lo[a] = _mm256_sub_ps(_mm256_load_ps(block.around.center[a]), _mm256_add_ps(half, radius));
+            hi[a] = _mm256_add_ps(_mm256_load_ps(block.around.center[a]), _mm256_add_ps(half, radius));
+        }
+        return meets(lo, hi, nullptr) & ((1u << block.around.count) - 1);
+    }
+
     unsigned meets(const wide::TriangleBlock& block) const {
         const __m256 off = _mm256_set1_ps(block.reach * kOff);
         __m256 lo[3], hi[3];
@@ -86,18 +108,34 @@ public:
     }
 
 private:
-    struct Range {
-        Real min, max;
-    };
-    static Range over(Mask active, Reals values) {
-        return {smallest(select(active, values, Reals(kInfinity))), largest(select(active, values, Reals(-kInfinity)))};
+    /// More than converting to float and back may change.
+    static __m256 rounding_of(__m256 f) {
+        const __m256 size = _mm256_andnot_ps(_mm256_set1_ps(-0.0f), f);
+        return size * _mm256_set1_ps(0x1p-23f) + _mm256_set1_ps(std::numeric_limits<float>::denorm_min());
+    }
+    static __m256 clamped(__m256 f) {
+        return _mm256_min_ps(_mm256_max_ps(f, _mm256_set1_ps(-kMaxFloat)), _mm256_set1_ps(kMaxFloat));
+    }
+
+    /// In all lanes of the result.
+    static __m256 largest(__m256 f) {
+        f = _mm256_max_ps(f, _mm256_permute2f128_ps(f, f, 1));
+        f = _mm256_max_ps(f, _mm256_permute_ps(f, 0x4e));
+        return _mm256_max_ps(f, _mm256_permute_ps(f, 0xb1));
+    }
+    static __m256 largest(__m256 f, __m256 among) {
+        return largest(_mm256_blendv_ps(_mm256_set1_ps(-kMaxFloat), f, among));
+    }
+    static __m256 smallest(__m256 f, __m256 among) {
+        const __m256 sign = _mm256_set1_ps(-0.0f);
+        return _mm256_xor_ps(largest(_mm256_xor_ps(f, sign), among), sign);
     }
 
     unsigned meets(const __m256 (&lo)[3], const __m256 (&hi)[3], float* enters) const {
         __m256 near = near_, far = far_;
         for (int a = 0; a < 3; ++a) {
-            const __m256 to_near = _mm256_sub_ps(positive_[a] ? lo[a] : hi[a], near_origin_[a]);
-            const __m256 to_far = _mm256_sub_ps(positive_[a] ? hi[a] : lo[a], far_origin_[a]);
+            const __m256 to_near = _mm256_sub_ps(way_.forwards[a] ? lo[a] : hi[a], near_origin_[a]);
+            const __m256 to_far = _mm256_sub_ps(way_.forwards[a] ? hi[a] : lo[a], far_origin_[a]);
             near = _mm256_max_ps(near, _mm256_min_ps(_mm256_mul_ps(to_near, inverse_min_[a]),
                                                      _mm256_mul_ps(to_near, inverse_max_[a])));
             far = _mm256_min_ps(far, _mm256_max_ps(_mm256_mul_ps(to_far, inverse_min_[a]),
@@ -111,10 +149,10 @@ private:
     static constexpr float kOff = 0x1p-21f;    ///< of a corner in float, and of a root that lies a little outside
 
     __m256 near_origin_[3], far_origin_[3], inverse_min_[3], inverse_max_[3], near_, far_;
+    __m256 lane_near_origin_[3], lane_far_origin_[3], lane_near_inverse_[3], lane_far_inverse_[3], lane_far_;
+    Mask active_;
     float far_end_ = 0;
-    int longest_axis_ = -1;
-    bool positive_[3];
-    bool is_coherent_ = false;
+    Directions::Way way_;
 };
 
 }  // namespace rays::packets

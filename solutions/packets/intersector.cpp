@@ -12,8 +12,8 @@ using Way = PrimitiveTester::Way;
 /// What primitives are asked about.
 class PacketIntersector::Asked {
 public:
-    Asked(const Rays& rays_, Mask active_, Real near_, Reals far, const Beam& beam)
-        : rays(rays_), active(active_), near(near_), span{Reals(near_), far}, longest_axis_(beam.longest_axis()) {}
+    Asked(const Rays& rays_, Real near_, Reals far, const Beam& beam)
+        : rays(rays_), active(beam.active()), near(near_), span{Reals(near_), far}, longest_axis_(beam.longest_axis()) {}
 
     const ShearedRays& sheared() const {
         if (!sheared_) sheared_.emplace(rays, longest_axis_);
@@ -42,22 +42,25 @@ PacketIntersector::PacketIntersector(const Scene& scene)
 
 // ---- The walk -------------------------------------------------------------------------------------------------------
 
-/// Asks the primitives that some ray of the beam may meet, nearer boxes first, until ask(primitive) says enough.
-template <class Ask>
+/// Asks the primitives that some ray of the beam may meet until ask(primitive) says enough; near boxes first, when
+/// sorted.
+template <bool sorted, class Ask>
 void PacketIntersector::walk(Beam& beam, Ask ask) const {
     for (const std::uint32_t primitive : hierarchy_->unbounded)
         if (ask(primitive)) return;
     const wide::Tree& tree = hierarchy_->tree;
     if (tree.nodes.empty()) return;
 
-    const auto ask_block = [&](const auto& block) {
+    const auto ask_block = [&](const auto& block, const auto& numbers) {
         for (unsigned mask = beam.meets(block); mask != 0; mask &= mask - 1)
-            if (ask(block.primitive[std::countr_zero(mask)])) return true;
+            if (ask(numbers[std::countr_zero(mask)])) return true;
         return false;
     };
     const auto ask_leaf = [&](Child leaf) {
-        if (leaf.kind() == Child::Kind::triangles) return ask_block(tree.triangles[leaf.place()]);
-        if (leaf.kind() == Child::Kind::spheres) return ask_block(tree.spheres[leaf.place()]);
+        const auto in = [&](const auto& blocks) -> const auto& { return blocks[leaf.place()]; };
+        if (leaf.kind() == Child::Kind::triangles) return ask_block(in(tree.triangles), in(tree.triangles).primitive);
+        if (leaf.kind() == Child::Kind::spheres) return ask_block(in(tree.spheres), in(tree.spheres).primitive);
+        if (leaf.kind() == Child::Kind::cones) return ask_block(in(tree.cones), in(tree.cones).around.primitive);
         const std::uint32_t* list = &tree.lists[leaf.place()];
         for (std::uint32_t k = 1; k <= list[0]; ++k)
             if (ask(list[k])) return true;
@@ -66,100 +69,123 @@ void PacketIntersector::walk(Beam& beam, Ask ask) const {
 
     struct Open {
         float enters;
-        Child child;
+        std::uint32_t place;  ///< node * 8 + child
     };
     Open stack[8 * 80];  // as deep as the hierarchy can be
     int size = 0;
-    for (Open open{0, Child(Child::Kind::node, 0)};;) {
-        if (open.child.kind() != Child::Kind::node) {
-            if (ask_leaf(open.child)) return;
-        } else {
-            const wide::Node& node = tree.nodes[open.child.place()];
-            alignas(32) float enters[wide::kWidth];
-            const int first = size;
-            for (unsigned mask = beam.meets(node, enters); mask != 0; mask &= mask - 1) {
-                const int i = std::countr_zero(mask);
-                int place = size++;
+    for (std::uint32_t next = 0;;) {
+        const wide::Node& node = tree.nodes[next];
+        alignas(32) float enters[wide::kWidth];
+        const int first = size;
+        for (unsigned mask = beam.meets(node, enters); mask != 0; mask &= mask - 1) {
+            const int i = std::countr_zero(mask);
+            int place = size++;
+            if constexpr (sorted)
                 for (; place > first && stack[place - 1].enters < enters[i]; --place) stack[place] = stack[place - 1];
-                stack[place] = {enters[i], node.child[i]};
-            }
+            stack[place] = {enters[i], next * 8 + static_cast<unsigned>(i)};
         }
-        do {
+        for (;;) {
             if (size == 0) return;
-            open = stack[--size];
-        } while (open.enters > beam.far_end());
+            const Open open = stack[--size];
+            if (open.enters > beam.far_end()) continue;
+            const wide::Node& parent = tree.nodes[open.place / 8];
+            if (beam.rays_that_meet(parent, open.place % 8) == 0) continue;
+            const Child child = parent.child[open.place % 8];
+            if (child.kind() == Child::Kind::node) {
+                next = child.place();
+                break;
+            }
+            if (ask_leaf(child)) return;
+        }
     }
 }
 
+/// Calls together(lanes, way) for rays that go the same way, if they are enough, and returns the others.
+template <class Together>
+unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together together) {
+    const Directions directions(rays.direction);
+    unsigned alone = 0;
+    for (unsigned rest = active.bits(); rest != 0;) {
+        const unsigned group = directions.like_the_first(rest);
+        if (std::popcount(group) < kFewestTogether)
+            alone |= group;
+        else
+            together(Mask::of(group), directions.way(std::countr_zero(group)));
+        rest &= ~group;
+    }
+    return alone;
+}
+
 Hits PacketIntersector::nearest(const Rays& rays, Mask active, Real near, Real far) const {
+    Found found;
+    const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
+        Beam beam(rays, lanes, way, near, Reals(far));
+        const Asked asked(rays, near, Reals(far), beam);
+        walk<true>(beam, [&](std::uint32_t primitive) {
+            if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
+            return false;
+        });
+    });
     Hits hits;
-    Beam beam(rays, active, near, far);
-    if (!beam.is_coherent()) {
+    complete(rays, found, hits);
+    if (alone != 0) {
         const SpreadRays single(rays);
-        each_lane(active.bits(), [&](int i) {
+        each_lane(alone, [&](int i) {
             if (const auto hit = single_->nearest(single[i], {near, far})) hits.set(i, *hit);
         });
-        return hits;
     }
-    const Asked asked(rays, active, near, Reals(far), beam);
-    Found found;
-    found.t = select(active, found.t, Reals(-kInfinity));  // who does not ask finds nothing nearer
-    walk(beam, [&](std::uint32_t primitive) {
-        if (keep_nearer(primitive, asked, found)) beam.shorten(std::min(far, largest(found.t)));
-        return false;
-    });
-    complete(rays, found, hits);
     return hits;
 }
 
 Mask PacketIntersector::occluded(const Rays& rays, Mask active, Real near, Reals far, std::uint32_t& last) const {
-    Mask open = active & (Reals(near) < far);
-    if (!open.any()) return open;
-    Beam beam(rays, open, near, largest(select(open, far, Reals(near))));
-    if (!beam.is_coherent()) {
-        const SpreadRays single(rays);
-        const Spread ends(far);
-        unsigned blocked = 0;
-        each_lane(open.bits(), [&](int i) {
-            if (single_->occluded(single[i], {near, ends[i]})) blocked |= 1u << i;
-        });
-        return Mask::of(blocked);
-    }
-    const Asked asked(rays, open, near, far, beam);
-    const Mask asking = open;
-    const auto ask = [&](std::uint32_t primitive) {
-        const Mask blocked = blocked_by(primitive, asked, open);
-        if (!blocked.any()) return false;
-        last = primitive;
-        open = open - blocked;
-        return !open.any();
-    };
-    if (last != kNone && ask(last)) return asking;
-    walk(beam, ask);
-    return asking - open;
+    const Mask asking = active & (Reals(near) < far);
+    Mask blocked = Mask::of(0);
+    const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
+        Beam beam(rays, lanes, way, near, far);
+        const Asked asked(rays, near, far, beam);
+        Mask open = lanes;
+        const auto ask = [&](std::uint32_t primitive) {
+            const Mask now = blocked_by(primitive, asked, open);
+            if (!now.any()) return false;
+            last = primitive;
+            blocked = blocked | now;
+            open = open - now;
+            beam.end_at(far, open);
+            return !open.any();
+        };
+        if (last == kNone || !ask(last)) walk<false>(beam, ask);
+    });
+    if (alone == 0) return blocked;
+    const SpreadRays single(rays);
+    const Spread ends(far);
+    unsigned bits = 0;
+    each_lane(alone, [&](int i) {
+        if (single_->blocked(single[i], {near, ends[i]}, last)) bits |= 1u << i;
+    });
+    return blocked | Mask::of(bits);
 }
 
 Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, Real near, Reals far) const {
     Obstacles met;
-    Mask open = active & (Reals(near) < far);
-    if (!open.any()) return met;
-    Beam beam(rays, open, near, largest(select(open, far, Reals(near))));
-    if (!beam.is_coherent()) {
-        met.clear = open;  // whoever walks from hit to hit finds out
-        return met;
-    }
-    const Asked asked(rays, open, near, far, beam);
-    walk(beam, [&](std::uint32_t primitive) {
-        const Mask blocked = blocked_by(primitive, asked, open);
-        if (!blocked.any()) return false;
-        if (!is_clear(primitive)) {
-            met.opaque = met.opaque | blocked;
-            return false;
-        }
-        met.clear = met.clear | blocked;
-        open = open - blocked;
-        return !open.any();
+    const Mask asking = active & (Reals(near) < far);
+    const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
+        Beam beam(rays, lanes, way, near, far);
+        const Asked asked(rays, near, far, beam);
+        Mask open = lanes;
+        walk<false>(beam, [&](std::uint32_t primitive) {
+            const Mask now = blocked_by(primitive, asked, open);
+            if (!now.any()) return false;
+            if (!is_clear(primitive)) {
+                met.opaque = met.opaque | now;
+                return false;
+            }
+            met.clear = met.clear | now;
+            open = open - now;
+            beam.end_at(far, open);
+            return !open.any();
+        });
     });
+    met.clear = met.clear | Mask::of(alone);  // whoever walks from hit to hit finds out
     met.opaque = met.opaque - met.clear;
     return met;
 }
@@ -204,7 +230,7 @@ bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
 
 bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
     const PrimitiveTester& tester = hierarchy_->tester;
-    if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), primitive);
+    if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
     bool changed = false;
     const Spread ends(asked.span.far);
     each_lane(asked.active.bits(), [&](int i) {
@@ -215,7 +241,7 @@ bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked,
         if (best.primitive == primitive)
             changed |= found.keep_nearer({Mask::of(1u << i), Reals(best.root.t), Reals(best.root.uv.x), Reals(best.root.uv.y),
                                Reals(static_cast<double>(best.root.part))},
-                              primitive);
+                              asked.active, primitive);
     });
     return changed;
 }

@@ -35,10 +35,15 @@ public:
     Obstacles obstacles(const Rays& rays, Mask active, Real near, Reals far) const;
 
 private:
+    /// Fewer rays are faster one by one; measured (NOTES.md).
+    static constexpr int kFewestTogether = 4;
+
     class Asked;
     bool is_clear(std::uint32_t primitive) const;
     bool has_packet_test(std::uint32_t primitive) const;
-    template <class Ask>
+    template <class Together>
+    static unsigned grouped(const Rays& rays, Mask active, Together together);
+    template <bool sorted, class Ask>
     void walk(Beam& beam, Ask ask) const;
     Roots roots_of(std::uint32_t primitive, const Asked& asked) const;
     bool keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const;
@@ -47,7 +52,7 @@ private:
     void complete(std::uint32_t primitive, Mask lanes, const Rays& rays, const Found& found, Hits& hits) const;
 
     std::shared_ptr<const wide::Hierarchy> hierarchy_;
-    std::unique_ptr<Intersector> single_;
+    std::unique_ptr<wide::SingleRays> single_;
     std::vector<bool> clear_materials_;
 };
 

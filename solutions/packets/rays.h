@@ -35,6 +35,45 @@ void each_lane(unsigned bits, What what) {
     for (; bits != 0; bits &= bits - 1) what(__builtin_ctz(bits));
 }
 
+/// Rays that go the same way: along each axis forwards, backwards or not at all, and the same axis is their longest.
+class Directions {
+public:
+    struct Way {
+        int longest_axis;
+        bool forwards[3];  ///< or not at all
+    };
+
+    explicit Directions(const Vec3s& d) {
+        const Reals zero(0.0);
+        const Vec3s size{abs(d.x), abs(d.y), abs(d.z)};
+        const unsigned by_x = ((size.x >= size.y) & (size.x >= size.z)).bits();
+        longest_[0] = by_x;
+        longest_[1] = (size.y >= size.z).bits() & ~by_x;
+        for (int a = 0; a < 3; ++a) {
+            back_[a] = (d[a] < zero).bits();
+            still_[a] = (d[a] == zero).bits();
+        }
+    }
+
+    /// Those of `lanes` that go the way of the first of them.
+    unsigned like_the_first(unsigned lanes) const {
+        const int first = __builtin_ctz(lanes);
+        const auto same = [&](unsigned property) { return (property >> first & 1) ? property : ~property; };
+        unsigned alike = lanes & same(longest_[0]) & same(longest_[1]);
+        for (int a = 0; a < 3; ++a) alike &= same(back_[a]) & same(still_[a]);
+        return alike;
+    }
+    Way way(int lane) const {
+        return {longest_[0] >> lane & 1   ? 0
+                : longest_[1] >> lane & 1 ? 1
+                                          : 2,
+                {!(back_[0] >> lane & 1), !(back_[1] >> lane & 1), !(back_[2] >> lane & 1)}};
+    }
+
+private:
+    unsigned longest_[2], back_[3], still_[3];
+};
+
 /// A root for each lane of `is`.
 struct Roots {
     Mask is;
@@ -55,9 +94,9 @@ struct Found {
         return {Spread(t)[i], {Spread(u)[i], Spread(v)[i]}, static_cast<std::uint32_t>(Spread(part)[i])};
     }
     /// Keeps the nearer one; at equal t the primitive with the smaller number. True when that changed anything.
-    bool keep_nearer(const Roots& roots, std::uint32_t number) {
+    bool keep_nearer(const Roots& roots, Mask active, std::uint32_t number) {
         const Reals whose(static_cast<double>(number));
-        const Mask nearer = roots.is & ((roots.t < t) | ((roots.t == t) & (whose < primitive)));
+        const Mask nearer = active & roots.is & ((roots.t < t) | ((roots.t == t) & (whose < primitive)));
         if (!nearer.any()) return false;
         t = select(nearer, roots.t, t);
         u = select(nearer, roots.u, u);

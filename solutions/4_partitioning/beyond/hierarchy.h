@@ -31,6 +31,11 @@ struct Hierarchy {
 
 std::shared_ptr<const Hierarchy> make_hierarchy(const Scene& scene);
 /// Single rays through it.
-std::unique_ptr<Intersector> make_bvh(std::shared_ptr<const Hierarchy> hierarchy);
+class SingleRays : public Intersector {
+public:
+    /// As `occluded`. `last` is the primitive to be asked first, if any; afterwards, the one that blocks.
+    virtual bool blocked(const Ray& ray, Interval range, std::uint32_t& last) const = 0;
+};
+std::unique_ptr<SingleRays> make_bvh(std::shared_ptr<const Hierarchy> hierarchy);
 
 }  // namespace rays::wide
