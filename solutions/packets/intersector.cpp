@@ -127,7 +127,7 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, Real near, Real f
         });
     });
     Hits hits;
-    complete(rays, found, hits);
+    if (found.is().any()) complete(rays, found, hits);
     if (alone != 0) {
         const SpreadRays single(rays);
         each_lane(alone, [&](int i) {

@@ -66,8 +66,15 @@ public:
         Brought brought;
         trace({camera_rays(scene_.camera, raster, block, offset), in_raster(raster, block), 0, Floats(1.0f), inside},
               brought);
-        for (int i = 0; i < kLanes; ++i)
-            sum[i] += Radiance(brought.lanes[0][i], brought.lanes[1][i], brought.lanes[2][i]);
+        for (int half = 0; half < kLanes; half += 4) {
+            __m128 rows[4] = {_mm_load_ps(&brought.lanes[0][half]), _mm_load_ps(&brought.lanes[1][half]),
+                              _mm_load_ps(&brought.lanes[2][half]), _mm_setzero_ps()};
+            _MM_TRANSPOSE4_PS(rows[0], rows[1], rows[2], rows[3]);
+            for (int i = 0; i < 4; ++i) {
+                float* lane = sum[half + i].lane;
+                _mm_store_ps(lane, _mm_add_ps(_mm_load_ps(lane), rows[i]));
+            }
+        }
     }
 
 private:
