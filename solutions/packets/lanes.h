@@ -145,6 +145,8 @@ struct Floats {
 };
 
 inline Floats max(Floats a, Floats b) { return _mm256_max_ps(a.v, b.v); }
+inline Floats min(Floats a, Floats b) { return _mm256_min_ps(a.v, b.v); }
+inline Floats abs(Floats a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v); }
 
 /// A mask as floats see it.
 inline __m256 narrow(Mask m) {
@@ -181,6 +183,10 @@ inline Radiances select(Mask where, const Radiances& then, const Radiances& othe
             select(where, then.b, otherwise.b)};
 }
 
+inline Mask is_less(Floats a, Floats b) { return widen(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)); }
+inline Mask is_greater(Floats a, Floats b) { return is_less(b, a); }
+/// Of the four lanes that each radiance has, the last of which is 0.
+inline Floats largest(const Radiances& a) { return max(max(a.r, a.g), max(a.b, Floats(0.0f))); }
 inline Mask is_not_black(const Radiances& a) {
     const auto is_not_zero = [](Floats f) { return _mm256_cmp_ps(f.v, _mm256_setzero_ps(), _CMP_NEQ_UQ); };
     return widen(_mm256_or_ps(is_not_zero(a.r), _mm256_or_ps(is_not_zero(a.g), is_not_zero(a.b))));

@@ -1,5 +1,5 @@
-// Step 3 for eight rays at once: what they meet is lit together, and mirrored together while it stays together. What
-// lets light through is left to single rays: there, neighbours soon part.
+// Step 3 for eight rays at once: what they meet is lit together, and mirrored and refracted together while enough of
+// them stay together.
 #include "renderer/packets.h"
 
 #include <bit>
@@ -38,6 +38,7 @@ struct Branches {
     int level = 0;
     Floats weight{1.0f};
     const Inside& inside;
+    bool straight = false;
 };
 
 Mask in_raster(const Raster& raster, Block block) {
@@ -91,10 +92,7 @@ private:
             unsigned lanes = 0;
             each_lane(rest, [&](int i) { lanes |= unsigned{hits.material[i] == material} << i; });
             rest &= ~lanes;
-            if (lets_light_through(scene_.materials[material].pigment))
-                outgoing_single(branches, hits, lanes, brought);
-            else
-                outgoing(branches, hits, Mask::of(lanes), scene_.materials[material], brought);
+            outgoing(branches, hits, Mask::of(lanes), scene_.materials[material], brought);
         }
     }
 
@@ -107,44 +105,114 @@ private:
         branch.ray = rays[i];
         branch.level = branches.level;
         branch.weight = weights[i];
+        branch.straight = branches.straight;
         branch.inside = branches.inside;
         return branch;
     }
-    template <class What>
-    void one_by_one(const Branches& branches, unsigned lanes, Brought& brought, What what) {
-        const SpreadRays rays(branches.rays);
-        each_lane(lanes, [&](int i) {
-            world_.pruned = 0;
-            brought.set(i, what(branch_of(branches, rays, i), i));
-            pruned_[i] += world_.pruned;
-        });
-    }
     void trace_single(const Branches& branches, Brought& brought) {
-        one_by_one(branches, branches.active.bits(), brought,
-                   [&](const Branch& branch, int) { return rays::trace(world_, branch); });
-    }
-    void outgoing_single(const Branches& branches, const Hits& hits, unsigned lanes, Brought& brought) {
-        one_by_one(branches, lanes, brought, [&](const Branch& branch, int i) {
-            const Hit hit = hits[i];
-            return rays::outgoing(world_, {branch, hit.t, surface_at(scene_, hit, -branch.ray.direction),
-                                           medium_of(scene_, hit.object)});
+        const SpreadRays rays(branches.rays);
+        each_lane(branches.active.bits(), [&](int i) {
+            world_.pruned = 0;
+            brought.set(i, rays::trace(world_, branch_of(branches, rays, i)));
+            pruned_[i] += world_.pruned;
         });
     }
 
     // ---- Together -----------------------------------------------------------------------------------------------
 
-    /// Of hits on the same, opaque material.
+    /// Of hits on the same material: task 3.11.
     void outgoing(const Branches& branches, const Hits& hits, Mask lanes, const Material& material,
                   Brought& brought) {
         const Surfaces at = surfaces_at(scene_, hits, lanes, material, -branches.rays.direction);
         Radiances sum = direct_light(scene_, shadows_, at, branches.inside);
         const Reflection& mirror = material.finish.reflection;
-        if (!mirror.max.is_black() || !mirror.min.is_black()) {
-            const Radiances share = reflectivity(branches, hits, at);
-            const Mask mirrors = lanes & is_not_black(share);
-            if (mirrors.any()) sum = select(mirrors, sum + share * mirrored(branches, at, mirrors, share), sum);
+        const bool mirrors = !mirror.max.is_black() || !mirror.min.is_black();
+        Radiances share;
+        if (mirrors) share = reflectivity(branches, hits, at);
+        Mask mirrored_lanes = mirrors ? lanes & is_not_black(share) : Mask::of(0);
+        if (lets_light_through(material.pigment)) {
+            const Transmitted through = transmitted(branches, hits, at, share);
+            sum = select(through.are, sum + through.radiance, sum);
+            mirrored_lanes = mirrored_lanes - through.total_reflection;
         }
+        if (mirrored_lanes.any())
+            sum = select(mirrored_lanes, sum + share * mirrored(branches, at, mirrored_lanes, share), sum);
         brought.set(lanes, sum);
+    }
+
+    /// As eight of `rays::Transmitted`.
+    struct Transmitted {
+        Mask are = Mask::of(0);
+        Radiances radiance;
+        Mask total_reflection = Mask::of(0);
+    };
+
+    /// What comes through surfaces: each medium on its own, for what is behind follows from it. Tasks 3.10 and 3.11.
+    Transmitted transmitted(const Branches& from, const Hits& hits, const Surfaces& at, const Radiances& share) {
+        Radiances tint = at.clear;
+        const Floats one(1.0f);
+        if (at.finish->conserve_energy)
+            tint = tint * Radiances(min(one, one - share.r), min(one, one - share.g), min(one, one - share.b));
+        const Floats grey = abs(Floats(0.297f) * tint.r + Floats(0.589f) * tint.g + Floats(0.114f) * tint.b);
+        const Floats weight = from.weight * largest(tint);
+        Transmitted through;
+        through.are = at.are & is_greater(grey, Floats(scene_.settings.adc_bailout));
+        leave_out(at.are - through.are, from.weight * max(Floats(0.0f), largest(tint)));
+        Brought brought;
+        for (unsigned rest = through.are.bits(); rest != 0;) {
+            const Medium medium = medium_of(scene_, hits.object[std::countr_zero(rest)]);
+            unsigned lanes = 0;
+            each_lane(rest, [&](int i) { lanes |= unsigned{medium_of(scene_, hits.object[i]) == medium} << i; });
+            rest &= ~lanes;
+            Inside beyond = from.inside;
+            const Real relative_ior = cross_border(scene_, beyond, medium);
+            const Bent bent = refracted(from.rays.direction, at.normal, relative_ior);
+            const Mask total = Mask::of(lanes) - bent.are, passes = Mask::of(lanes) & bent.are;
+            follow({Rays(at.point, bent.direction), passes, next_level(from), weight, beyond, bent.straight}, brought);
+            if (total.any())
+                follow({Rays(at.point, reflected(from.rays.direction, at.normal)), total, next_level(from), weight,
+                        from.inside},
+                       brought);
+            through.total_reflection = through.total_reflection | total;
+            absorb(from, hits, lanes, medium, brought);
+        }
+        const Radiances all = brought.load();
+        through.radiance = select(through.total_reflection, all, tint * all);
+        return through;
+    }
+
+    /// Directions behind a surface: task 3.2.
+    struct Bent {
+        Mask are;
+        Vec3s direction;
+        bool straight;
+    };
+    static Bent refracted(const Vec3s& d, const Vec3s& n, Real relative_ior) {
+        if (std::abs(relative_ior - 1) < Real(1e-10)) return {Mask::of(kAllLanes), d, true};
+        const Real eta = 1 / relative_ior;
+        const Reals cos_incident = -dot(d, n);
+        const Reals cos2 = Reals((1 - eta) * (1 + eta)) + Reals(eta * eta) * cos_incident * cos_incident;
+        const Vec3s direction = normalize(Reals(eta) * d + (Reals(eta) * cos_incident - sqrt(cos2)) * n);
+        return {cos2 >= Reals(0), direction, false};
+    }
+    static Vec3s reflected(const Vec3s& d, const Vec3s& n) { return normalize(d - (Reals(2) * dot(d, n)) * n); }
+
+    static int next_level(const Branches& from) { return from.level + (from.straight ? 0 : 1); }
+
+    /// Traces what pruning leaves of the branches.
+    void follow(Branches branches, Brought& brought) {
+        prune(branches);
+        if (branches.active.any()) trace(branches, brought);
+    }
+
+    /// What the way through the medium that was left or crossed takes: task 3.6.
+    void absorb(const Branches& from, const Hits& hits, unsigned lanes, Medium medium, Brought& brought) const {
+        const Interior* interior = interior_of(scene_, medium);
+        if (!interior || !(interior->fade_distance > 0) || !from.inside.contains(medium)) return;
+        each_lane(lanes, [&](int i) {
+            const Radiance left = absorption(*interior, hits.t[i]);
+            for (int c = 0; c < 3; ++c) brought.lanes[c][i] *= left[c];
+        });
     }
 
     /// How much a finish mirrors: task 3.4.
@@ -184,33 +252,32 @@ private:
     /// What the mirror directions bring: tasks 3.1, 3.8 and 3.9.
     Radiances mirrored(const Branches& from, const Surfaces& at, Mask lanes, const Radiances& share) {
         const Reflection& mirror = at.finish->reflection;
-        const Vec3s& d = from.rays.direction;
-        const Vec3s direction = normalize(d - (Reals(2) * dot(d, at.normal)) * at.normal);
-        const Floats largest = mirror.fresnel ? max(share.r, max(share.g, share.b))
-                                              : Floats(std::max(mirror.max.largest(), mirror.min.largest()));
-        Branches branches{Rays(at.point, direction), lanes, from.level + 1, from.weight * largest, from.inside};
-        prune(branches);
+        const Floats most = mirror.fresnel ? largest(share)
+                                           : Floats(std::max(mirror.max.largest(), mirror.min.largest()));
         Brought brought;
-        if (branches.active.any()) trace(branches, brought);
+        follow({Rays(at.point, reflected(from.rays.direction, at.normal)), lanes, next_level(from), from.weight * most,
+                from.inside},
+               brought);
         if (mirror.exponent != 1)
             for (auto& lane : brought.lanes)
                 for (float& v : lane) v = std::pow(v, mirror.exponent);
         return brought.load();
     }
 
-    /// Takes away the branches that are too deep or bring too little.
+    /// Takes away the branches that are too deep or bring too little: task 3.8.
     void prune(Branches& branches) {
         const GlobalSettings& settings = scene_.settings;
-        alignas(32) float weights[kLanes];
-        branches.weight.store(weights);
-        unsigned kept = 0;
-        each_lane(branches.active.bits(), [&](int i) {
-            if (branches.level >= settings.max_trace_level || weights[i] < settings.adc_bailout)
-                pruned_[i] += weights[i];
-            else
-                kept |= 1u << i;
-        });
-        branches.active = Mask::of(kept);
+        const Mask light = is_less(branches.weight, Floats(settings.adc_bailout));
+        const Mask pruned = branches.active & (branches.level >= settings.max_trace_level ? branches.active : light);
+        leave_out(pruned, branches.weight);
+        branches.active = branches.active - pruned;
+    }
+    void leave_out(Mask lanes, Floats weights) {
+        const unsigned bits = lanes.bits();
+        if (bits == 0) return;
+        alignas(32) float weight[kLanes];
+        weights.store(weight);
+        each_lane(bits, [&](int i) { pruned_[i] += weight[i]; });
     }
 
     const Scene& scene_;

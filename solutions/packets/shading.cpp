@@ -90,9 +90,9 @@ Radiances highlights(const Surfaces& at, const Illuminations& light, Reals n_dot
     return phong * color + blinn * color;
 }
 
-Radiances pigment_at(const Scene& scene, const Pigment& pigment, const Vec3s& point) {
-    const Radiances color(pigment.color.rgb);
-    if (!pigment.checker_other) return color;
+/// Where a checker has its first colour; everywhere, where there is no checker.
+Mask has_first_color(const Scene& scene, const Pigment& pigment, const Vec3s& point) {
+    if (!pigment.checker_other) return Mask::of(kAllLanes);
     Vec3s local = point;
     if (pigment.transform != kNone) {
         const Transform& t = scene.transforms[pigment.transform];
@@ -100,8 +100,19 @@ Radiances pigment_at(const Scene& scene, const Pigment& pigment, const Vec3s& po
     }
     const Reals e(Real(1e-10)), cubes = floor(local.x + e) + floor(local.y + e) + floor(local.z + e);
     const Reals half = cubes * Reals(0.5);
-    const Mask even = floor(half) == half;
-    return select(even, color, Radiances(pigment.checker_other->rgb));
+    return floor(half) == half;
+}
+
+void set_pigment(const Scene& scene, const Pigment& pigment, Surfaces& at) {
+    const Color& color = pigment.color;
+    const Color& other = pigment.checker_other ? *pigment.checker_other : color;
+    const Mask first = has_first_color(scene, pigment, at.point);
+    at.color = select(first, Radiances(color.rgb), Radiances(other.rgb));
+    if (!lets_light_through(pigment)) return;
+    const Floats filter = select(first, Floats(color.filter), Floats(other.filter));
+    const Floats transmit = select(first, Floats(color.transmit), Floats(other.transmit));
+    at.opacity = Floats(1.0f) - filter - transmit;
+    at.clear = filter * at.color + Radiances(transmit, transmit, transmit);
 }
 
 }  // namespace
@@ -120,7 +131,7 @@ Surfaces surfaces_at(const Scene& scene, const Hits& hits, Mask lanes, const Mat
     const Vec3s normal = hits.shading_normal.load();
     at.normal = select(dot(normal, to_viewer) < Reals(0), -normal, normal);
     at.to_viewer = to_viewer;
-    at.color = pigment_at(scene, material.pigment, at.point);
+    set_pigment(scene, material.pigment, at);
     at.finish = &material.finish;
     return at;
 }
@@ -156,7 +167,7 @@ Radiances Shadows::visibility(std::size_t light, const Vec3s& point, Mask lanes,
 
 Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& at, const Inside& inside) {
     const Finish& finish = *at.finish;
-    Radiances sum = at.color * Radiances(finish.ambient * scene.settings.ambient_light + finish.emission);
+    Radiances sum = at.opacity * at.color * Radiances(finish.ambient * scene.settings.ambient_light + finish.emission);
     if (!(finish.diffuse > 0) && !(finish.phong > 0) && !(finish.specular > 0)) return sum;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& source = scene.lights[i];
@@ -170,7 +181,7 @@ Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& at,
             light.are = light.are & is_not_black(light.radiance);
             if (!light.are.any()) continue;
         }
-        Radiances brings = (Floats(finish.diffuse) * Floats(n_dot_l)) * at.color * light.radiance;
+        Radiances brings = (at.opacity * Floats(finish.diffuse) * Floats(n_dot_l)) * at.color * light.radiance;
         sum = select(light.are, sum + brings, sum);
         if (!source.shadowless) sum = select(light.are, sum + highlights(at, light, n_dot_l), sum);
     }

@@ -9,11 +9,13 @@
 
 namespace rays::packets {
 
-/// As eight of `Surface`, all of them opaque and of one finish.
+/// As eight of `Surface`, all of them of one finish.
 struct Surfaces {
     Mask are;
     Vec3s point, normal, to_viewer;
     Radiances color;
+    Floats opacity{1.0f};
+    Radiances clear;
     const Finish* finish;
 };
 
