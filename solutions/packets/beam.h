@@ -18,7 +18,7 @@ using wide::kMaxFloat;
 
 class Beam {
 public:
-    Beam(const Rays& rays, Mask active, const Directions::Way& way, Real near, Reals far) : active_(active), way_(way) {
+    Beam(const Rays& rays, Mask active, const Directions::Way& way, Reals near, Reals far) : active_(active), way_(way) {
         const __m256 in = narrow(active);
         for (int a = 0; a < 3; ++a) {
             const bool forwards = way.forwards[a];
@@ -35,7 +35,9 @@ public:
             inverse_min_[a] = smallest(forwards ? lane_near_inverse_[a] : lane_far_inverse_[a], in);
             inverse_max_[a] = largest(forwards ? lane_far_inverse_[a] : lane_near_inverse_[a], in);
         }
-        near_ = _mm256_set1_ps(std::max(0.0f, below(near)));
+        const __m256 n = Floats(near).v;
+        lane_near_ = _mm256_max_ps(_mm256_setzero_ps(), n - rounding_of(n));
+        near_ = smallest(lane_near_, in);
         end_at(far, active);
     }
 
@@ -53,7 +55,7 @@ public:
 
     /// Which rays may meet the box of a child: what they do together, looked at one by one.
     unsigned rays_that_meet(const wide::Node& node, unsigned child) const {
-        __m256 near = near_, far = lane_far_;
+        __m256 near = lane_near_, far = lane_far_;
         for (int a = 0; a < 3; ++a) {
             const __m256 lo = _mm256_broadcast_ss(&node.lo[a][child]), hi = _mm256_broadcast_ss(&node.hi[a][child]);
             const __m256 to_near = (way_.forwards[a] ? lo : hi) - lane_near_origin_[a];
@@ -149,7 +151,7 @@ private:
     static constexpr float kOff = 0x1p-21f;    ///< of a corner in float, and of a root that lies a little outside
 
     __m256 near_origin_[3], far_origin_[3], inverse_min_[3], inverse_max_[3], near_, far_;
-    __m256 lane_near_origin_[3], lane_far_origin_[3], lane_near_inverse_[3], lane_far_inverse_[3], lane_far_;
+    __m256 lane_near_origin_[3], lane_far_origin_[3], lane_near_inverse_[3], lane_far_inverse_[3], lane_near_, lane_far_;
     Mask active_;
     float far_end_ = 0;
     Directions::Way way_;

@@ -85,7 +85,7 @@ private:
     void trace(const Branches& branches, Brought& brought) {
         const unsigned active = branches.active.bits();
         if (std::popcount(active) < kFewest) return trace_single(branches, brought);
-        const Hits hits = intersector_.nearest(branches.rays, branches.active, kNearest, kFarthest);
+        const Hits hits = intersector_.nearest(branches.rays, branches.active, {Reals(kNearest), Reals(kFarthest)});
         brought.set(branches.active - Mask::of(hits.are), Radiances(scene_.background));
         for (unsigned rest = hits.are; rest != 0;) {
             const std::uint32_t material = hits.material[std::countr_zero(rest)];

@@ -33,6 +33,8 @@ public:
                          const Inside& inside);
 
 private:
+    Radiances filtered(const Rays& rays, Mask open, Span span, const Inside& inside) const;
+
     const PacketIntersector& intersector_;
     const World& world_;
     std::vector<std::uint32_t> last_;  ///< who blocked each light last
