@@ -291,7 +291,6 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
     const auto set_normals = [&](Vec3s n) {
         if (transform) n = normalize(times(glm::transpose(transform->inverse_linear), n));
         hits.normal.set(lanes, n);
-        hits.shading_normal.set(lanes, n);
     };
     // Of unit length in the world: a normal that is still to be moved need not be.
     const auto unit = [&](const Vec3s& n) { return transform ? n : normalize(n); };
@@ -309,21 +308,17 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
             break;
         case ShapeKind::smooth_triangle: {
             const SmoothTriangle& t = s.smooth_triangles[object.shape];
-            hits.normal.set(lanes, flat(t.triangle));
-            hits.shading_normal.set(lanes,
-                                    normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
+            set_normals(normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
             break;
         }
         case ShapeKind::mesh: {
             const Mesh& mesh = s.meshes[object.shape];
             const Mesh::Face& face = mesh.faces[p.part];
             if (face.material != Mesh::kObjectMaterial) material = face.material;
-            set_normals(flat(triangle_of(mesh, p.part)));
-            if (face.smooth) {
-                const auto [a, b, c] = face.normal;
-                hits.shading_normal.set(
-                    lanes, normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u, found.v)));
-            }
+            const auto [a, b, c] = face.normal;
+            set_normals(face.smooth ? normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u,
+                                                            found.v))
+                                    : flat(triangle_of(mesh, p.part)));
             break;
         }
         case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;

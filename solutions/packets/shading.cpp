@@ -123,13 +123,12 @@ Reals power(Mask lanes, Reals x, double exponent) {
     return {_ZGVdN4vv_pow(base.lo, e), _ZGVdN4vv_pow(base.hi, e)};
 }
 
-Surfaces surfaces_at(const Scene& scene, const Hits& hits, Mask lanes, const Material& material,
-                     const Vec3s& to_viewer) {
+Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
+                     const Material& material) {
     Surfaces at;
     at.are = lanes;
-    at.point = hits.point.load();
-    const Vec3s normal = hits.shading_normal.load();
-    at.normal = select(dot(normal, to_viewer) < Reals(0), -normal, normal);
+    at.point = point;
+    at.normal = select(dot(normal, to_viewer) < Reals(0.0), -normal, normal);
     at.to_viewer = to_viewer;
     set_pigment(scene, material.pigment, at);
     at.finish = &material.finish;
