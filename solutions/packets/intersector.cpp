@@ -52,8 +52,10 @@ void PacketIntersector::walk(Beam& beam, Ask ask) const {
     if (tree.nodes.empty()) return;
 
     const auto ask_block = [&](const auto& block, const auto& numbers) {
-        for (unsigned mask = beam.meets(block); mask != 0; mask &= mask - 1)
-            if (ask(numbers[std::countr_zero(mask)])) return true;
+        for (unsigned mask = beam.meets(block); mask != 0; mask &= mask - 1) {
+            const int i = std::countr_zero(mask);
+            if (beam.rays_that_meet(block, i) != 0 && ask(numbers[i])) return true;
+        }
         return false;
     };
     const auto ask_leaf = [&](Child leaf) {
