@@ -26,9 +26,9 @@ struct Chunk {
     Number of[kLanes];
     unsigned lanes;
 
-    /// The eight from `first` on. Lanes that are left over repeat the last one.
-    Chunk(const Numbers& numbers, int first) {
-        const int count = std::min(kLanes, numbers.count - first);
+    /// The eight from `first` on, up to `end`. Lanes that are left over repeat the last one.
+    Chunk(const Numbers& numbers, int first, int end) {
+        const int count = std::min(kLanes, end - first);
         for (int i = 0; i < kLanes; ++i) of[i] = numbers.of[first + std::min(i, count - 1)];
         lanes = (1u << count) - 1;
     }
@@ -42,6 +42,12 @@ struct Chunk {
     }
 };
 
+/// Calls what(chunk) for the rays of the list, eight by eight.
+template <class What>
+void each_chunk(const Numbers& numbers, What what) {
+    for (int first = 0; first < numbers.count; first += kLanes) what(Chunk(numbers, first, numbers.count));
+}
+
 /// Vectors and light side by side, component by component.
 struct VectorColumns {
     double of[3][Block::kSize];
@@ -54,6 +60,28 @@ struct VectorColumns {
         of[2][n] = v.z[lane];
     }
 };
+
+/// Calls what(chunk) for rays that go the same way, eight by eight: the signs of their directions and the longest axis.
+template <class What>
+void each_chunk_by_way(const VectorColumns& direction, int count, What what) {
+    const auto way_of = [&](int n) {
+        const double x = direction.of[0][n], y = direction.of[1][n], z = direction.of[2][n];
+        const double ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
+        const int axis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
+        return (x < 0) | (y < 0) << 1 | (z < 0) << 2 | axis << 3;
+    };
+    constexpr int kWays = 24;
+    int way[Block::kSize], begin[kWays + 1] = {}, next[kWays];
+    for (int n = 0; n < count; ++n) ++begin[(way[n] = way_of(n)) + 1];
+    for (int w = 0; w < kWays; ++w) begin[w + 1] += begin[w];
+    std::copy(begin, begin + kWays, next);
+    Numbers ordered;
+    ordered.count = count;
+    for (int n = 0; n < count; ++n) ordered.of[next[way[n]]++] = static_cast<Number>(n);
+    for (int w = 0; w < kWays; ++w)
+        for (int first = begin[w]; first < begin[w + 1]; first += kLanes) what(Chunk(ordered, first, begin[w + 1]));
+}
+
 struct LightColumns {
     float of[3][Block::kSize];
 
@@ -87,28 +115,6 @@ struct Batch {
     }
     Rays load(const Chunk& chunk) const { return {origin.load(chunk), direction.load(chunk)}; }
 
-    /// All of them; rays that go the same way follow each other, unless they do already.
-    Numbers in_order(bool sorted) const {
-        Numbers all;
-        for (int n = 0; n < count && sorted; ++n) all.add(static_cast<Number>(n));
-        if (sorted) return all;
-        Number way[Block::kSize];
-        int begin[33] = {};
-        for (int n = 0; n < count; ++n) ++begin[(way[n] = way_of(n)) + 1];
-        for (int w = 0; w < 32; ++w) begin[w + 1] += begin[w];
-        for (int n = 0; n < count; ++n) all.of[begin[way[n]]++] = static_cast<Number>(n);
-        all.count = count;
-        return all;
-    }
-
-private:
-    /// The signs of the direction, and its longest axis.
-    Number way_of(int n) const {
-        const double x = direction.of[0][n], y = direction.of[1][n], z = direction.of[2][n];
-        const double ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
-        const int axis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
-        return static_cast<Number>((x < 0) | (y < 0) << 1 | (z < 0) << 2 | axis << 3);
-    }
 };
 
 }  // namespace rays::packets

@@ -10,10 +10,10 @@ namespace {
 /// Fewer rays are faster one by one; measured (NOTES.md).
 constexpr int kFewest = 3;
 
-/// Calls what(chunk) for the rays of the list, eight by eight.
-template <class What>
-void each_chunk(const Numbers& numbers, What what) {
-    for (int first = 0; first < numbers.count; first += kLanes) what(Chunk(numbers, first));
+Numbers all_of(int count) {
+    Numbers all;
+    for (int n = 0; n < count; ++n) all.add(static_cast<Number>(n));
+    return all;
 }
 
 /// Takes those out of the list whose property is that of the first.
@@ -104,7 +104,7 @@ void Tracer::trace_single(Frame& f) {
 /// Finds what the rays meet. The others bring the background. Returns the numbers of those that meet something.
 Numbers Tracer::meet(Frame& f) const {
     Numbers met;
-    each_chunk(f.batch.in_order(f.batch.level == 0), [&](const Chunk& chunk) {
+    const auto meet_chunk = [&](const Chunk& chunk) {
         const Hits hits = intersector_.nearest(f.batch.load(chunk), Mask::of(chunk.lanes),
                                                {Reals(kNearest), Reals(kFarthest)});
         each_lane(chunk.lanes & ~hits.are, [&](int i) { f.brought.set(chunk.of[i], scene_.background); });
@@ -117,7 +117,11 @@ Numbers Tracer::meet(Frame& f) const {
             f.object[n] = hits.object[i];
             f.material[n] = hits.material[i];
         });
-    });
+    };
+    if (f.batch.level == 0)  // camera rays go the same way as they are
+        each_chunk(all_of(f.batch.count), meet_chunk);
+    else
+        each_chunk_by_way(f.batch.direction, f.batch.count, meet_chunk);
     return met;
 }
 
