@@ -35,7 +35,8 @@ public:
         const Vec3 one = (Vec3(box.min[0], box.min[1], box.min[2]) - origin_) * inverse_;
         const Vec3 other = (Vec3(box.max[0], box.max[1], box.max[2]) - origin_) * inverse_;
         const Vec3 enter = glm::min(one, other), exit = glm::max(one, other);
-        return std::max(std::max(enter.x, enter.y), std::max(enter.z, begin_)) <= std::min(std::min(exit.x, exit.y), std::min(exit.z, far));
+        return std::max(std::max(enter.x, enter.y), std::max(enter.z, begin_)) <=
+               std::min(std::min(exit.x, exit.y), std::min(exit.z, far));
     }
 
 private:

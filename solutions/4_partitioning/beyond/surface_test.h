@@ -21,12 +21,16 @@ public:
         const bool moved = object.transform != kNone;
         const Vec3 center = Real(0.5) * (cell.min + cell.max), half = Real(0.5) * (cell.max - cell.min) + slack_;
         switch (object.kind) {
-            case ShapeKind::sphere: return moved || reaches(scene.spheres[object.shape], center, half);
-            case ShapeKind::triangle: return moved || reaches(scene.triangles[object.shape], center, half, thorough);
+            case ShapeKind::sphere:
+                return moved || reaches(scene.spheres[object.shape], center, half);
+            case ShapeKind::triangle:
+                return moved || reaches(scene.triangles[object.shape], center, half, thorough);
             case ShapeKind::smooth_triangle:
                 return moved || reaches(scene.smooth_triangles[object.shape].triangle, center, half, thorough);
-            case ShapeKind::mesh: return moved || reaches(face(scene.meshes[object.shape], p.part), center, half, thorough);
-            default: return true;
+            case ShapeKind::mesh:
+                return moved || reaches(face(scene.meshes[object.shape], p.part), center, half, thorough);
+            default:
+                return true;
         }
     }
 
@@ -43,8 +47,8 @@ private:
         return glm::length(nearest) <= sphere.radius + slack_ && glm::length(farthest) >= sphere.radius - slack_;
     }
 
-    /// No plane parts triangle and cell: neither the triangle's own nor one along an edge of each (Akenine-Moller, "Fast
-    /// 3D Triangle-Box Overlap Testing", JGT 6(1), 2001; the cell's own planes have been asked by the bounds).
+    /// No plane parts triangle and cell: neither the triangle's own nor one along an edge of each (Akenine-Moller,
+    /// "Fast 3D Triangle-Box Overlap Testing", JGT 6(1), 2001; the cell's own planes have been asked by the bounds).
     bool reaches(const Triangle& t, const Vec3& center, const Vec3& half, bool thorough) const {
         const Vec3 a = t.a - center, b = t.b - center, c = t.c - center;
         if (parted(glm::cross(b - a, c - a), a, a, a, half)) return false;
