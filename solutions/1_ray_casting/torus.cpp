@@ -88,8 +88,9 @@ public:
     /// Where F' has its extrema: F'' = 0.
     std::optional<Real> inflection() const { return c2_ < 0 ? std::optional(std::sqrt(-c2_ / 6)) : std::nullopt; }
 
-    /// The part of the ray near enough to matter: in a ball and between two planes, a little larger than they must be.
-    Interval clip(Interval range) const {
+    /// The part of the ray from `begin` on that is near enough to matter: in a ball and between two planes, a little larger
+    /// than they must be. Empty when it runs through the hole.
+    Interval near_part(Real begin) const {
         const Real outer = (major_ + minor_) * Real(1.00001), tube = minor_ * Real(1.00001);
         const Real half2 = outer * outer - dot(o_, o_);
         if (!(half2 > 0)) return {0, 0};
@@ -104,7 +105,7 @@ public:
         // Between these planes a ray that is in the hole at both of its ends stays in it.
         const Real hole = (major_ - minor_) * Real(0.99999);
         if (hole > 0 && from_axis2(low) < hole * hole && from_axis2(high) < hole * hole) return {0, 0};
-        return {std::max(range.min, low), std::min(range.max, high)};
+        return {std::max(begin, low), high};
     }
 
 private:
@@ -187,16 +188,17 @@ std::optional<Root> intersect(const Torus& torus, const Ray& ray, Interval range
     const Real length = glm::length(ray.direction);
     const Real shift = -dot(ray.origin, ray.direction) / (length * length);
     const TorusOnRay on_ray(torus, ray.at(shift), ray.direction / length);
-    const Interval near = on_ray.clip({(range.min - shift) * length, (range.max - shift) * length});
-    if (!(near.min < near.max)) return std::nullopt;
+    const Interval near = on_ray.near_part((range.min - shift) * length);
+    if (!(near.min < std::min(near.max, (range.max - shift) * length))) return std::nullopt;
 
+    // Brackets do not end where the range does: what was found before must not move the last bits of a root.
     const Real size = torus.major + torus.minor;
     RootSearch search(on_ray, near.min, Real(1e6) * kEpsilon * size * size * size * size);
     std::optional<Root> first;
     const auto found = [&](Real u) {
         const Root root{shift + u / length};
         if (range.contains(root.t)) first = root;
-        return first.has_value();
+        return root.t >= range.max || first.has_value();
     };
     if (const auto w = on_ray.inflection())
         for (const Real u : {-*w, *w})

@@ -231,11 +231,16 @@ bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
            packets::has_packet_test(scene(), scene().objects[tester.primitives()[primitive].object]);
 }
 
+Mask PacketIntersector::may_meet(std::uint32_t primitive, const Rays& rays, const Span& span) const {
+    return packets::may_meet(scene(), scene().objects[hierarchy_->tester.primitives()[primitive].object], rays, span);
+}
+
 bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
     const PrimitiveTester& tester = hierarchy_->tester;
     if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
     bool changed = false;
-    each_lane(asked.active.bits(), [&](int i) {
+    const Span rest{asked.span.near, select(found.is(), found.t, asked.span.far)};
+    each_lane((asked.active & may_meet(primitive, asked.rays, rest)).bits(), [&](int i) {
         Candidate best;
         if (found.is().bits() >> i & 1)
             best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
@@ -253,7 +258,7 @@ Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, 
     if (!tester.dispatch(primitive).casts) return Mask::of(0);
     if (has_packet_test(primitive)) return roots_of(primitive, asked).is & open;
     unsigned blocked = 0;
-    each_lane(open.bits(), [&](int i) {
+    each_lane((open & may_meet(primitive, asked.rays, asked.span)).bits(), [&](int i) {
         if (tester.blocks(primitive, asked.single()[i], asked.range(i))) blocked |= 1u << i;
     });
     return Mask::of(blocked);

@@ -8,6 +8,9 @@ namespace rays::packets {
 /// Can eight rays ask this object at once? Torus and patch iterate, each ray in its own way.
 bool has_packet_test(const Scene& scene, const Object& object);
 
+/// The rays that an object without a packet test should be asked about; the others miss it within the span.
+Mask may_meet(const Scene& scene, const Object& object, const Rays& rays, const Span& span);
+
 /// The smallest roots in the span that no clip cuts away. Of objects with a packet test; `sheared` is asked for flat ones
 /// that stand in world space only: sheared() gives ShearedRays.
 template <class Sheared>
