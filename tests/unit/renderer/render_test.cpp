@@ -45,6 +45,19 @@ TEST(Render, MoreSamplesAreTheMeanOfThePixel) {
     EXPECT_FLOAT_EQ(pixel("#version 3.5;"), 0.21404114f);
 }
 
+TEST(Render, ToriThatRaysPassByTheHundredLookTheSame) {
+    std::string tori = tests::kHead + "light_source { <3,5,-4> rgb 1 }\n";
+    for (int i = 0; i < 40; ++i) {
+        const std::string n = std::to_string(i);
+        tori += "torus { 0.5+0.05*" + n + ", 0.04 rotate <7*" + n + ", 0, 3*" + n + "> translate y }\n" +
+                "torus { 0.1, 0.3 scale <1, 0.2, 2> translate <0.2*" + n + "-4, 2, 0> }\n";
+    }
+    const Scene scene = staged(tori + "plane { y, -1 }");
+    const Film together = render(scene, {.raster = {64, 48}, .threads = 1});
+    const Film alone = render(scene, {.raster = {64, 48}, .threads = 1, .packets = false});
+    EXPECT_TRUE(tests::same_bytes(together, alone));
+}
+
 TEST(Render, WhoWaitsForAStructureDoesNotAskThousandsOfObjects) {
     std::string row = tests::kHead;
     for (int i = 0; i < 1001; ++i) row += "sphere { <" + std::to_string(i) + ",0,0>, 0.4 }\n";
