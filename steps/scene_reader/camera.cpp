@@ -1,4 +1,5 @@
-// The camera. POV-Ray 3.5 and later read all items first and apply them in one order: angle, look_at, transforms.
+// The camera. POV-Ray 3.5 and later read all items first and apply them in one order: angle, look_at, transforms. In
+// scenes of earlier versions the order is the text's.
 #include <fmt/format.h>
 
 #include "scene_reader/statements.h"
@@ -11,7 +12,7 @@ namespace {
 struct Said {
     std::optional<V3> look_at, focal_point;
     std::optional<double> angle;
-    bool up = false, right = false;
+    bool up = false, right = false, orthographic = false;
     Placement placement;
 };
 
@@ -26,6 +27,7 @@ bool read_item(Interpreter& in, CameraDraft& camera, Said& said) {
         case Word::orthographic_:
             in.take();
             camera.kind = Camera::Kind::orthographic;
+            said.orthographic = true;
             return true;
         case Word::location_:
             in.take();
@@ -109,26 +111,30 @@ void aim(CameraDraft& camera, const V3& at, Interpreter& in, const Place& place)
     camera.right = right * (right_handed ? -right_length : right_length);
 }
 
+void set_angle(CameraDraft& camera, double angle, Interpreter& in, const Place& place) {
+    if (!(glm::length(camera.direction) > 0)) in.fail(place, "the camera's direction has no length");
+    const double length = glm::length(camera.right) / std::tan(angle * std::numbers::pi / 360) / 2;
+    camera.direction = glm::normalize(camera.direction) * length;
+}
+
+/// An orthographic camera shows what a perspective one would show at look_at.
+void widen_to_look_at(CameraDraft& camera) {
+    const double distance = glm::length(camera.look_at - camera.location);
+    const double length = glm::length(camera.direction);
+    if (!(distance > kEpsilon && length > kEpsilon)) return;
+    camera.right *= distance / length;
+    camera.up *= distance / length;
+}
+
 void apply(CameraDraft& camera, const Said& said, Interpreter& in, const Place& place) {
-    if (said.angle && *said.angle > 0) {
-        const double length = glm::length(camera.right) / std::tan(*said.angle * std::numbers::pi / 360) / 2;
-        if (!(glm::length(camera.direction) > 0)) in.fail(place, "the camera's direction has no length");
-        camera.direction = glm::normalize(camera.direction) * length;
-    }
+    if (said.angle && *said.angle > 0) set_angle(camera, *said.angle, in, place);
     if (said.angle) camera.angle = *said.angle;
     if (said.look_at) {
         aim(camera, *said.look_at, in, place);
         camera.look_at = *said.look_at;
     }
-    if (camera.kind == Camera::Kind::orthographic && ((!said.up && !said.right) || said.angle)) {
-        // An orthographic camera shows what a perspective one would show at look_at.
-        const double distance = glm::length(camera.look_at - camera.location);
-        const double length = glm::length(camera.direction);
-        if (distance > kEpsilon && length > kEpsilon) {
-            camera.right *= distance / length;
-            camera.up *= distance / length;
-        }
-    }
+    if (camera.kind == Camera::Kind::orthographic && ((!said.up && !said.right) || said.angle))
+        widen_to_look_at(camera);
     if (said.focal_point) camera.focal_distance = glm::length(*said.focal_point - camera.location);
 }
 
@@ -140,6 +146,23 @@ void place_camera(CameraDraft& camera, const Placement& placement) {
     camera.right = placement->vector(camera.right);
 }
 
+/// Before version 3.5 each item changes the camera at once: their order matters.
+bool read_and_apply_item(Interpreter& in, CameraDraft& camera, const Place& place) {
+    Said said;
+    if (!read_item(in, camera, said)) return false;
+    if (said.orthographic) widen_to_look_at(camera);
+    if (said.angle) camera.angle = *said.angle;
+    if (said.angle && *said.angle > 0 && camera.kind == Camera::Kind::perspective)
+        set_angle(camera, *said.angle, in, place);
+    if (said.look_at) {
+        aim(camera, *said.look_at, in, place);
+        camera.look_at = *said.look_at;
+    }
+    if (said.focal_point) camera.focal_distance = glm::length(*said.focal_point - camera.location);
+    place_camera(camera, said.placement);
+    return true;
+}
+
 }  // namespace
 
 CameraDraft read_camera(Context& context) {
@@ -148,8 +171,12 @@ CameraDraft read_camera(Context& context) {
     in.expect('{', "a camera");
     CameraDraft camera = context.default_camera;
     Said said;
-    if (const auto named = in.accept_named<CameraDraft>()) {
-        camera = *named;  // only transforms may follow
+    const auto named = in.accept_named<CameraDraft>();
+    if (named) camera = *named;
+    if (std::lround(100 * in.version()) < 350) {
+        while (read_and_apply_item(in, camera, place)) {
+        }
+    } else if (named) {  // only transforms may follow
         while (const auto step = read_placement(in)) place_further(said.placement, *step);
     } else {
         while (read_item(in, camera, said)) {

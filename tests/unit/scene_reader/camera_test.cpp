@@ -33,6 +33,24 @@ TEST(CameraReader, TheOrderOfItemsDoesNotMatter) {
     EXPECT_EQ(a.up, b.up);
 }
 
+// parse.cpp of POV-Ray 3.7.0.10, "old style syntax".
+TEST(CameraReader, BeforeVersion35TheOrderMatters) {
+    const auto camera_of = [](const std::string& items) {
+        return scene_of("#version 3.1; camera { " + items + " }").camera;
+    };
+    EXPECT_TRUE(near(camera_of("location -5*z look_at <3,0,-1> direction 2*z").direction, {0, 0, 2}));
+    EXPECT_TRUE(near(camera_of("location -5*z direction 2*z look_at <3,0,-1>").direction, {Real(1.2), 0, Real(1.6)}));
+    EXPECT_TRUE(near(camera_of("angle 90 right x*2").direction, {0, 0, Real(1.33 / 2)}));
+    EXPECT_TRUE(near(camera_of("right x*2 angle 90").direction, {0, 0, 1}));
+    EXPECT_TRUE(near(camera_of("translate x location y").location, {0, 1, 0}));
+    EXPECT_TRUE(near(camera_of("location y translate x").location, {1, 1, 0}));
+    EXPECT_TRUE(near(camera_of("location -5*z look_at 0 orthographic").up, {0, 5, 0}));
+    EXPECT_TRUE(near(camera_of("orthographic location -5*z look_at 0").up, {0, 1, 0}));
+    const Camera named = scene_of("#version 3.1; #declare C = camera { location y } camera { C right x*2 }").camera;
+    EXPECT_TRUE(near(named.right, {2, 0, 0}));
+    EXPECT_TRUE(near(named.location, {0, 1, 0}));
+}
+
 TEST(CameraReader, ALeftRightVectorStaysLeft) {
     // right -x makes a right-handed scene; look_at must not turn it round.
     const Camera camera = scene_of("camera { location <0,0,-5> right -x*2 look_at 0 }").camera;
