@@ -328,6 +328,7 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
             break;
         }
         case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
+        case ShapeKind::torus: set_normals(unit(normal(s.tori[object.shape], point))); break;
         default: set_normals(unit(box_normal(found.part))); break;
     }
     each_lane(lanes.bits(), [&](int i) {

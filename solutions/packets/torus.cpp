@@ -1,0 +1,163 @@
+// The torus, eight rays at once. Step 1 (torus.cpp) tells the story. Here lanes iterate in step until the last one has
+// its root, and the extrema of F are found when the search for the first root gets there, not all before it starts: the
+// same numbers, but most rays need one.
+#include <cmath>
+#include <limits>
+
+#include "packets/shapes.h"
+
+namespace rays::packets {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// A function and its derivative at one place of each ray.
+struct Values {
+    Reals f, slope;
+
+    /// What the sign is just behind this place.
+    Mask is_negative() const {
+        const Reals zero(0);
+        return (f < zero) | ((f == zero) & (slope < zero));
+    }
+};
+
+/// In each lane of `active` the root of f between a and b, where f has different signs.
+template <class Function>
+Reals bracketed_root(Function f, Mask active, Reals a, Reals b, Mask rising) {
+    const Reals zero(0), half(0.5), tolerance = Reals(kEpsilon) * max(abs(a), abs(b));
+    Reals t = a + (b - a) * half, last_step = b - a;
+    for (int i = 0; i < 200; ++i) {
+        const Values value = f(t);
+        active = active - (value.f == zero);
+        const Mask is_end = (value.f < zero) ^ rising;
+        a = select(is_end, a, t);
+        b = select(is_end, t, b);
+        Reals next = t - value.f / value.slope;
+        const Mask newton = (next > a) & (next < b) & (Reals(2) * abs(next - t) <= abs(last_step));
+        next = select(newton, next, a + (b - a) * half);
+        last_step = next - t;
+        t = select(active, next, t);
+        active = active & (abs(last_step) > tolerance);
+        if (!active.any()) break;
+    }
+    return t;
+}
+
+struct Places {
+    Mask are;
+    Reals u;
+};
+
+/// The roots of f between `from` and `to`, where it is monotone; `negative` is its sign behind `from`, then behind `to`.
+template <class Function>
+Places root_between(Function f, Mask lanes, Reals from, Reals to, Mask& negative) {
+    const Values end = f(to);
+    const Mask at_end = lanes & (end.f == Reals(0)), changes = (lanes & ((end.f < Reals(0)) ^ negative)) - at_end;
+    Places roots{at_end | changes, to};
+    if (changes.any()) roots.u = select(changes, bracketed_root(f, changes, from, to, negative), to);
+    negative = ((negative ^ changes) - at_end) | (at_end & (end.slope < Reals(0)));
+    return roots;
+}
+
+/// The torus along rays whose parameter u is a length, counted from the point nearest to the centre.
+class TorusOnRays {
+public:
+    TorusOnRays(const Torus& torus, const Vec3s& nearest, const Vec3s& unit_direction, Reals o2)
+        : major_(torus.major), minor_(torus.minor), o_(nearest), d_(unit_direction) {
+        const Real major2 = torus.major * torus.major;
+        const Reals k = o2 + Reals(major2) - Reals(torus.minor * torus.minor);
+        c2_ = Reals(2) * k - Reals(4 * major2) * (Reals(1) - d_.y * d_.y);
+        c1_ = Reals(8 * major2) * o_.y * d_.y;
+    }
+
+    Values surface(Reals u) const {
+        const Vec3s p = o_ + u * d_;
+        const Reals rho = sqrt(p.x * p.x + p.z * p.z);
+        const Reals y2_r2 = (p.y - minor_) * (p.y + minor_);
+        const Reals inner = (rho - major_) * (rho - major_) + y2_r2;
+        const Reals outer = (rho + major_) * (rho + major_) + y2_r2;
+        return {inner * outer, slope(u).f};
+    }
+    Values slope(Reals u) const {
+        return {(Reals(4) * u * u + Reals(2) * c2_) * u + c1_, Reals(12) * u * u + Reals(2) * c2_};
+    }
+    /// Where there are any.
+    Places inflections() const { return {c2_ < Reals(0), sqrt(-c2_ / Reals(6))}; }
+
+private:
+    Reals major_, minor_;
+    Vec3s o_, d_;
+    Reals c2_, c1_;
+};
+
+/// The part of `range` near enough to matter, where there is one.
+Mask clip(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Span& range) {
+    const Real tube = torus.minor * Real(1.00001);
+    const Reals high = sqrt(half2), low = -high, tubes(tube);
+    const Reals first = (Reals(-tube) - o.y) / d.y, second = (tubes - o.y) / d.y;
+    const Mask level = d.y == Reals(0);
+    range.near = max(range.near, select(level, low, max(low, min(first, second))));
+    range.far = min(range.far, select(level, high, min(high, max(first, second))));
+    return (range.near < range.far) - (level - (abs(o.y) <= tubes));
+}
+
+}  // namespace
+
+Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
+    if (torus.major == 0) return intersect(Sphere{Vec3(0), torus.minor}, rays, span);
+    const Reals length = sqrt(rays.direction2);
+    const Reals shift = -dot(rays.origin, rays.direction) / (length * length);
+    const Vec3s o = rays.at(shift);
+    const Reals o2 = dot(o, o);
+    const Real outer = (torus.major + torus.minor) * Real(1.00001);
+    const Reals half2 = Reals(outer * outer) - o2;
+    Mask open = half2 > Reals(0);
+    if (!open.any()) return Roots::none();
+    const Vec3s d{rays.direction.x / length, rays.direction.y / length, rays.direction.z / length};
+    Span near{(span.near - shift) * length, (span.far - shift) * length};
+    open = open & clip(torus, o, d, half2, near);
+    const auto t_at = [&](Reals u) { return shift + u / length; };
+    open = open & (t_at(near.near) <= span.enough);
+    if (!open.any()) return Roots::none();
+
+    const TorusOnRays on_rays(torus, o, d, o2);
+    const auto slope = [&](Reals u) { return on_rays.slope(u); };
+    const auto surface = [&](Reals u) { return on_rays.surface(u); };
+    const Places w = on_rays.inflections();
+    const Mask first = w.are & near.contains(-w.u), second = w.are & near.contains(w.u);
+    const Reals breaks[] = {near.near, select(first, -w.u, select(second, w.u, near.far)),
+                            select(first & second, w.u, near.far), near.far};
+    const Mask are_pieces[] = {Mask::of(kAllLanes), first | second, first & second};
+
+    Roots roots = Roots::none();
+    Mask falling = slope(near.near).is_negative(), inside = surface(near.near).is_negative();
+    Reals from = near.near;
+    for (int i = 0; i < 4 && open.any(); ++i) {
+        Places to{open, near.far};
+        if (i < 3) {
+            to = root_between(slope, open & are_pieces[i], breaks[i], breaks[i + 1], falling);
+            to.are = to.are & near.contains(to.u);
+        }
+        if (!to.are.any()) continue;
+        const Places places = root_between(surface, to.are, from, to.u, inside);
+        const Reals t = t_at(places.u);
+        const Mask found = places.are & span.contains(t);
+        roots.is = roots.is | found;
+        roots.t = select(found, t, roots.t);
+        from = select(to.are, to.u, from);
+        open = (open - found) & (t_at(from) <= span.enough);
+    }
+    return roots;
+}
+
+Vec3s normal(const Torus& torus, const Vec3s& point) {
+    const Spread x(point.x), z(point.z);
+    Spread distances;
+    for (int i = 0; i < kLanes; ++i) distances.lane[i] = std::hypot(x[i], z[i]);  // no formula of ours has its bits
+    const Reals rho = Reals::load(distances.lane), major(torus.major), zero(0);
+    const Vec3s from_circle{point.x - major * (point.x / rho), point.y, point.z - major * (point.z / rho)};
+    return select(rho > zero, from_circle, {zero, select(point.y < zero, Reals(-1), Reals(1)), zero});
+}
+
+}  // namespace rays::packets
