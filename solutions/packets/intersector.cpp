@@ -203,8 +203,8 @@ bool PacketIntersector::is_clear(std::uint32_t primitive) const {
     return clear_materials_[material];
 }
 
-/// Of a shape with a packet test.
-Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) const {
+/// Of a shape with a packet test. Roots beyond `enough` may be left out.
+Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked, Reals enough) const {
     const auto& dispatch = hierarchy_->tester.dispatch(primitive);
     const Scene& s = scene();
     switch (dispatch.way) {
@@ -218,7 +218,7 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
         case Way::other: break;
     }
     const Primitive p = hierarchy_->tester.primitives()[primitive];
-    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.span,
+    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, {asked.span.near, asked.span.far, enough},
                             [&]() -> const ShearedRays& { return asked.sheared(); });
 }
 
@@ -230,7 +230,10 @@ bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
 
 bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
     const PrimitiveTester& tester = hierarchy_->tester;
-    if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
+    if (has_packet_test(primitive)) {
+        const Reals enough = select(asked.active, found.t, Reals(-kInfinity));
+        return found.keep_nearer(roots_of(primitive, asked, enough), asked.active, primitive);
+    }
     bool changed = false;
     const Spread ends(asked.span.far);
     each_lane(asked.active.bits(), [&](int i) {
@@ -249,7 +252,7 @@ bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked,
 Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const {
     const PrimitiveTester& tester = hierarchy_->tester;
     if (!tester.dispatch(primitive).casts) return Mask::of(0);
-    if (has_packet_test(primitive)) return roots_of(primitive, asked).is & open;
+    if (has_packet_test(primitive)) return roots_of(primitive, asked, select(open, Reals(kInfinity), Reals(-kInfinity))).is & open;
     unsigned blocked = 0;
     const Spread ends(asked.span.far);
     each_lane(open.bits(), [&](int i) {
