@@ -25,20 +25,20 @@ struct Values {
 /// In each lane of `active` the root of f between a and b, where f has different signs.
 template <class Function>
 Reals bracketed_root(Function f, Mask active, Reals a, Reals b, Mask rising) {
-    const Reals zero(0), half(0.5), tolerance = Reals(kEpsilon) * max(abs(a), abs(b));
-    Reals t = a + (b - a) * half, last_step = b - a;
+    const Reals zero(0), half(0.5), tolerance = Reals(4 * kEpsilon) * max(abs(a), abs(b));
+    Reals longest_step = (b - a) * half, t = a + longest_step;
     for (int i = 0; i < 200; ++i) {
         const Values value = f(t);
         active = active - (value.f == zero);
         const Mask is_end = (value.f < zero) ^ rising;
         a = select(is_end, a, t);
         b = select(is_end, t, b);
-        Reals next = t - value.f / value.slope;
-        const Mask newton = (next > a) & (next < b) & (Reals(2) * abs(next - t) <= abs(last_step));
-        next = select(newton, next, a + (b - a) * half);
-        last_step = next - t;
-        t = select(active, next, t);
-        active = active & (abs(last_step) > tolerance);
+        const Reals newton = t - value.f / value.slope, middle = (b - a) * half, length = abs(newton - t);
+        const Mask fits = (newton >= a) & (newton <= b) & (length <= longest_step);
+        const Reals step = select(fits, length, middle);
+        t = select(active, select(fits, newton, a + middle), t);
+        longest_step = select(fits, length * half, middle);
+        active = active & (step > tolerance);
         if (!active.any()) break;
     }
     return t;
