@@ -13,7 +13,12 @@ using Way = PrimitiveTester::Way;
 class PacketIntersector::Asked {
 public:
     Asked(const Rays& rays_, Real near_, Reals far, const Beam& beam)
-        : rays(rays_), active(beam.active()), near(near_), span{Reals(near_), far}, longest_axis_(beam.longest_axis()) {}
+        : rays(rays_), active(beam.active()), near(near_), span{Reals(near_), far}, longest_axis_(beam.longest_axis()) {
+        enough_at(Reals(kInfinity), active);
+    }
+
+    /// From now on roots beyond t may be left out, and rays that are not open do not count at all.
+    void enough_at(Reals t, Mask open) { span.enough = select(open, t, Reals(-kInfinity)); }
 
     const ShearedRays& sheared() const {
         if (!sheared_) sheared_.emplace(rays, longest_axis_);
@@ -27,7 +32,7 @@ public:
     const Rays& rays;
     const Mask active;
     const Real near;
-    const Span span;
+    Span span;
 
 private:
     int longest_axis_;
@@ -120,9 +125,12 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, Real near, Real f
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, near, Reals(far));
-        const Asked asked(rays, near, Reals(far), beam);
+        Asked asked(rays, near, Reals(far), beam);
         walk<true>(beam, [&](std::uint32_t primitive) {
-            if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
+            if (keep_nearer(primitive, asked, found)) {
+                beam.end_at(found.t, lanes);
+                asked.enough_at(found.t, lanes);
+            }
             return false;
         });
     });
@@ -142,7 +150,8 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, Real near, Reals
     Mask blocked = Mask::of(0);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, near, far);
-        const Asked asked(rays, near, far, beam);
+        Asked asked(rays, near, far, beam);
+        asked.span.any = true;
         Mask open = lanes;
         const auto ask = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
@@ -151,6 +160,7 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, Real near, Reals
             blocked = blocked | now;
             open = open - now;
             beam.end_at(far, open);
+            asked.enough_at(Reals(kInfinity), open);
             return !open.any();
         };
         if (last == kNone || !ask(last)) walk<false>(beam, ask);
@@ -170,7 +180,8 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, Real near,
     const Mask asking = active & (Reals(near) < far);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, near, far);
-        const Asked asked(rays, near, far, beam);
+        Asked asked(rays, near, far, beam);
+        asked.span.any = true;
         Mask open = lanes;
         walk<false>(beam, [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
@@ -182,6 +193,7 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, Real near,
             met.clear = met.clear | now;
             open = open - now;
             beam.end_at(far, open);
+            asked.enough_at(Reals(kInfinity), open);
             return !open.any();
         });
     });
@@ -203,8 +215,8 @@ bool PacketIntersector::is_clear(std::uint32_t primitive) const {
     return clear_materials_[material];
 }
 
-/// Of a shape with a packet test. Roots beyond `enough` may be left out.
-Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked, Reals enough) const {
+/// Of a shape with a packet test.
+Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) const {
     const auto& dispatch = hierarchy_->tester.dispatch(primitive);
     const Scene& s = scene();
     switch (dispatch.way) {
@@ -218,7 +230,7 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked, R
         case Way::other: break;
     }
     const Primitive p = hierarchy_->tester.primitives()[primitive];
-    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, {asked.span.near, asked.span.far, enough},
+    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.span,
                             [&]() -> const ShearedRays& { return asked.sheared(); });
 }
 
@@ -230,10 +242,7 @@ bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
 
 bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
     const PrimitiveTester& tester = hierarchy_->tester;
-    if (has_packet_test(primitive)) {
-        const Reals enough = select(asked.active, found.t, Reals(-kInfinity));
-        return found.keep_nearer(roots_of(primitive, asked, enough), asked.active, primitive);
-    }
+    if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
     bool changed = false;
     const Spread ends(asked.span.far);
     each_lane(asked.active.bits(), [&](int i) {
@@ -252,7 +261,7 @@ bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked,
 Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const {
     const PrimitiveTester& tester = hierarchy_->tester;
     if (!tester.dispatch(primitive).casts) return Mask::of(0);
-    if (has_packet_test(primitive)) return roots_of(primitive, asked, select(open, Reals(kInfinity), Reals(-kInfinity))).is & open;
+    if (has_packet_test(primitive)) return roots_of(primitive, asked).is & open;
     unsigned blocked = 0;
     const Spread ends(asked.span.far);
     each_lane(open.bits(), [&](int i) {

@@ -45,7 +45,7 @@ private:
     static unsigned grouped(const Rays& rays, Mask active, Together together);
     template <bool sorted, class Ask>
     void walk(Beam& beam, Ask ask) const;
-    Roots roots_of(std::uint32_t primitive, const Asked& asked, Reals enough) const;
+    Roots roots_of(std::uint32_t primitive, const Asked& asked) const;
     bool keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const;
     Mask blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const;
     void complete(const Rays& rays, const Found& found, Hits& hits) const;

@@ -61,6 +61,7 @@ Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t p
     if (object.clip == kNone) return intersect_shape(scene, object, part, local, span, sheared);
     // As in step 1: a root that is cut away sends the question on behind it.
     Span rest = span;
+    rest.any = false;
     Mask open = Mask::of(kAllLanes);
     Roots unclipped = Roots::none();
     for (int i = 0; i < 1000 && open.any(); ++i) {

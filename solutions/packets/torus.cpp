@@ -49,13 +49,15 @@ struct Places {
     Reals u;
 };
 
-/// The roots of f between `from` and `to`, where it is monotone; `negative` is its sign behind `from`, then behind `to`.
+/// Where f changes its sign between `from` and `to`, between which it is monotone: the root in lanes that are `exact`, any
+/// place up to `to` in others. `negative` is the sign behind `from`, then behind `to`.
 template <class Function>
-Places root_between(Function f, Mask lanes, Reals from, Reals to, Mask& negative) {
+Places root_between(Function f, Mask lanes, Reals from, Reals to, Mask& negative, Mask exact) {
     const Values end = f(to);
     const Mask at_end = lanes & (end.f == Reals(0)), changes = (lanes & ((end.f < Reals(0)) ^ negative)) - at_end;
+    const Mask asked = changes & exact;
     Places roots{at_end | changes, to};
-    if (changes.any()) roots.u = select(changes, bracketed_root(f, changes, from, to, negative), to);
+    if (asked.any()) roots.u = select(asked, bracketed_root(f, asked, from, to, negative), to);
     negative = ((negative ^ changes) - at_end) | (at_end & (end.slope < Reals(0)));
     return roots;
 }
@@ -128,7 +130,7 @@ Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
     const Mask first = w.are & near.contains(-w.u), second = w.are & near.contains(w.u);
     const Reals breaks[] = {near.near, select(first, -w.u, select(second, w.u, near.far)),
                             select(first & second, w.u, near.far), near.far};
-    const Mask are_pieces[] = {Mask::of(kAllLanes), first | second, first & second};
+    const Mask all = Mask::of(kAllLanes), are_pieces[] = {all, first | second, first & second};
 
     Roots roots = Roots::none();
     Mask falling = slope(near.near).is_negative(), inside = surface(near.near).is_negative();
@@ -136,11 +138,12 @@ Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
     for (int i = 0; i < 4 && open.any(); ++i) {
         Places to{open, near.far};
         if (i < 3) {
-            to = root_between(slope, open & are_pieces[i], breaks[i], breaks[i + 1], falling);
+            to = root_between(slope, open & are_pieces[i], breaks[i], breaks[i + 1], falling, all);
             to.are = to.are & near.contains(to.u);
         }
         if (!to.are.any()) continue;
-        const Places places = root_between(surface, to.are, from, to.u, inside);
+        const Mask in_span = span.any ? (t_at(from) > span.near) & (t_at(to.u) < span.far) : Mask::of(0);
+        const Places places = root_between(surface, to.are, from, to.u, inside, all - in_span);
         const Reals t = t_at(places.u);
         const Mask found = places.are & span.contains(t);
         roots.is = roots.is | found;
