@@ -105,43 +105,45 @@ Mask clip(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Span&
     return (range.near < range.far) - (level - (abs(o.y) <= tubes));
 }
 
-/// Which rays surely miss the torus between the places of `range`, since they stay in its hole or run around it: theirs are
-/// most of the questions that the box of a torus lets through.
-Mask passes_by(const Torus& torus, const Vec3s& o, const Vec3s& d, const Span& range) {
-    const Real outer = torus.major + torus.minor, inner = std::max(torus.major - torus.minor, Real(0));
-    const Real margin = Real(1e-5) * outer * outer;
-    const Reals zero(0), outer2(outer * outer + margin), inner2(inner * inner - margin);
-    // The distance from the axis, squared: a u^2 + 2 b u + c.
-    const Reals a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z, c = o.x * o.x + o.z * o.z;
-    const Reals slope_near = a * range.near + b, slope_far = a * range.far + b;
-    const Reals at_near = (slope_near + b) * range.near + c, at_far = (slope_far + b) * range.far + c;
-    const Mask leaves = slope_near >= zero, comes = slope_far <= zero;
-    const Mask around = (leaves & (at_near > outer2)) | (comes & (at_far > outer2)) |
-                        (((c - outer2) * a > b * b) - leaves - comes);
-    return around | ((at_near < inner2) & (at_far < inner2));
+/// Which rays surely have no root that counts: between the planes that touch the torus they stay around it or in its hole.
+/// Most questions end here, at the price of one division. The margins are far above all rounding, of distant places too.
+Mask surely_misses(const Torus& torus, const Rays& rays, const Span& span) {
+    const Vec3s &o = rays.origin, &d = rays.direction;
+    const Reals tube = Reals(Real(1.00001) * torus.minor) + Reals(1e-12) * abs(o.y), inverse = Reals(1) / d.y;
+    const Reals first = (-tube - o.y) * inverse, second = (tube - o.y) * inverse;
+    const Reals low = max(span.near, min(first, second));  // 0 / 0 changes nothing: std::max keeps its first argument
+    const Reals high = min(min(span.far, span.enough), max(first, second));
+
+    // The distance from the axis, squared, is a t^2 + 2 b t + c.
+    const Reals a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z, c = o.x * o.x + o.z * o.z, zero(0);
+    const Real reach = torus.major + torus.minor, hole = std::max(torus.major - torus.minor, Real(0));
+    const Reals margin = Reals(Real(1e-5) * reach * reach) + Reals(1e-12) * c;
+    const Reals outer2 = Reals(reach * reach) + margin, inner2 = Reals(hole * hole) - margin;
+    const Reals slope_low = a * low + b, slope_high = a * high + b;
+    const Reals at_low = (slope_low + b) * low + c, at_high = (slope_high + b) * high + c;
+    const Mask around = ((slope_low >= zero) & (at_low > outer2)) | ((slope_high <= zero) & (at_high > outer2)) |
+                        ((c - outer2) * a > b * b);
+    return (low > high) | around | ((at_low < inner2) & (at_high < inner2));
 }
 
 }  // namespace
 
 Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
     if (torus.major == 0) return intersect(Sphere{Vec3(0), torus.minor}, rays, span);
+    Mask open = Mask::of(kAllLanes) - surely_misses(torus, rays, span);
+    if (!open.any()) return Roots::none();
     const Reals length = sqrt(rays.direction2);
     const Reals shift = -dot(rays.origin, rays.direction) / (length * length);
     const Vec3s o = rays.at(shift);
     const Reals o2 = dot(o, o);
     const Real outer = (torus.major + torus.minor) * Real(1.00001);
     const Reals half2 = Reals(outer * outer) - o2;
-    Mask open = half2 > Reals(0);
-    if (!open.any()) return Roots::none();
     const Vec3s d{rays.direction.x / length, rays.direction.y / length, rays.direction.z / length};
     Span near{(span.near - shift) * length, (span.far - shift) * length};
-    open = open & clip(torus, o, d, half2, near);
-    open = open - passes_by(torus, o, d, near);
-    if (!open.any()) return Roots::none();
-    const auto t_at = [&](Reals u) { return shift + u / length; };
-    open = open & (t_at(near.near) <= span.enough);
+    open = open & (half2 > Reals(0)) & clip(torus, o, d, half2, near);
     if (!open.any()) return Roots::none();
 
+    const auto t_at = [&](Reals u) { return shift + u / length; };
     const TorusOnRays on_rays(torus, o, d, o2);
     const auto slope = [&](Reals u) { return on_rays.slope(u); };
     const auto surface = [&](Reals u) { return on_rays.surface(u); };
