@@ -94,7 +94,8 @@ private:
     Reals c2_, c1_;
 };
 
-/// The part of `range` near enough to matter, where there is one.
+/// The part of `range` near enough to matter, where there is one. (Step 1 drops level rays above and below the torus here;
+/// there F > 0, so that they find nothing anyway.)
 Mask clip(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Span& range) {
     const Real tube = torus.minor * Real(1.00001);
     const Reals high = sqrt(half2), low = -high, tubes(tube);
@@ -102,7 +103,7 @@ Mask clip(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Span&
     const Mask level = d.y == Reals(0);
     range.near = max(range.near, select(level, low, max(low, min(first, second))));
     range.far = min(range.far, select(level, high, min(high, max(first, second))));
-    return (range.near < range.far) - (level - (abs(o.y) <= tubes));
+    return range.near < range.far;
 }
 
 /// Which rays surely have no root that counts: between the planes that touch the torus they stay around it or in its hole.
