@@ -50,8 +50,8 @@ struct Places {
     Reals u;
 };
 
-/// Where f changes its sign between `from` and `to`, between which it is monotone: the root in lanes that are `exact`, any
-/// place up to `to` in others. `negative` is the sign behind `from`, then behind `to`.
+/// Where f changes its sign between `from` and `to`, where it is monotone: in lanes that are `exact` the root, in
+/// others `to`. `negative` is the sign behind `from`, then behind `to`.
 template <class Function>
 Places root_between(Function f, Mask lanes, Reals from, Reals to, Mask& negative, Mask exact) {
     const Values end = f(to);
@@ -94,8 +94,8 @@ private:
     Reals c2_, c1_;
 };
 
-/// The part of `range` near enough to matter, where there is one. (Step 1 drops level rays above and below the torus here;
-/// there F > 0, so that they find nothing anyway.)
+/// The part of `range` near enough to matter, where there is one. (Level rays above and below the torus need no
+/// question of their own, as in step 1: F > 0 all along them.)
 Mask clip(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Span& range) {
     const Real tube = torus.minor * Real(1.00001);
     const Reals high = sqrt(half2), low = -high, tubes(tube);
@@ -106,8 +106,9 @@ Mask clip(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Span&
     return range.near < range.far;
 }
 
-/// Which rays surely have no root that counts: between the planes that touch the torus they stay around it or in its hole.
-/// Most questions end here, at the price of one division. The margins are far above all rounding, of distant places too.
+/// Which rays surely have no root that counts: between the planes that touch the torus they stay around it or in its
+/// hole. Most questions end here, at the price of one division. The margins are far above all rounding, that of distant
+/// places too.
 Mask surely_misses(const Torus& torus, const Rays& rays, const Span& span) {
     const Vec3s &o = rays.origin, &d = rays.direction;
     const Reals tube = Reals(Real(1.00001) * torus.minor) + Reals(1e-12) * abs(o.y), inverse = Reals(1) / d.y;
