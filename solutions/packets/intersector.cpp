@@ -12,13 +12,13 @@ using Way = PrimitiveTester::Way;
 /// What primitives are asked about.
 class PacketIntersector::Asked {
 public:
-    Asked(const Rays& rays_, const Span& span_, const Beam& beam)
-        : rays(rays_), active(beam.active()), span(span_), longest_axis_(beam.longest_axis()) {
-        enough_at(Reals(kInfinity), active);
-    }
+    /// Roots beyond `enough` and those of rays that are not `open` may be left out; both may change.
+    Asked(const Rays& rays_, const Span& span_, const Beam& beam, const Mask& open, const Reals& enough)
+        : rays(rays_), active(beam.active()), span(span_), open_(open), enough_(enough),
+          longest_axis_(beam.longest_axis()) {}
 
-    /// From now on roots beyond t may be left out, and rays that are not open do not count at all.
-    void enough_at(Reals t, Mask open) { span.enough = select(open, t, Reals(-kInfinity)); }
+    /// For shapes whose tests cost more than to tell these.
+    Span narrow_span() const { return {span.near, span.far, select(open_, enough_, Reals(-kInfinity)), span.any}; }
 
     const ShearedRays& sheared() const {
         if (!sheared_) sheared_.emplace(rays, longest_axis_);
@@ -32,9 +32,11 @@ public:
 
     const Rays& rays;
     const Mask active;
-    Span span;
+    const Span span;
 
 private:
+    const Mask& open_;
+    const Reals& enough_;
     int longest_axis_;
     mutable std::optional<ShearedRays> sheared_;
     mutable std::optional<SpreadRays> single_;
@@ -127,12 +129,9 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span)
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        Asked asked(rays, span, beam);
+        const Asked asked(rays, span, beam, lanes, found.t);
         walk<true>(beam, [&](std::uint32_t primitive) {
-            if (keep_nearer(primitive, asked, found)) {
-                beam.end_at(found.t, lanes);
-                asked.enough_at(found.t, lanes);
-            }
+            if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
             return false;
         });
     });
@@ -153,9 +152,8 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
     Mask blocked = Mask::of(0);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        Asked asked(rays, span, beam);
-        asked.span.any = true;
         Mask open = lanes;
+        const Asked asked(rays, {span.near, span.far, Reals(kInfinity), true}, beam, open, span.far);
         const auto ask = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -163,7 +161,6 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
             blocked = blocked | now;
             open = open - now;
             beam.end_at(span.far, open);
-            asked.enough_at(Reals(kInfinity), open);
             return !open.any();
         };
         if (last == kNone || !ask(last)) walk<false>(beam, ask);
@@ -183,9 +180,8 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
     const Mask asking = active & (span.near < span.far);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        Asked asked(rays, span, beam);
-        asked.span.any = true;
         Mask open = lanes;
+        const Asked asked(rays, {span.near, span.far, Reals(kInfinity), true}, beam, open, span.far);
         walk<false>(beam, [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -196,7 +192,6 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
             met.clear = met.clear | now;
             open = open - now;
             beam.end_at(span.far, open);
-            asked.enough_at(Reals(kInfinity), open);
             return !open.any();
         });
     });
@@ -233,7 +228,7 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
         case Way::other: break;
     }
     const Primitive p = hierarchy_->tester.primitives()[primitive];
-    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.span,
+    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.narrow_span(),
                             [&]() -> const ShearedRays& { return asked.sheared(); });
 }
 
