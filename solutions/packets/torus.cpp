@@ -94,16 +94,15 @@ private:
     Reals c2_, c1_;
 };
 
-/// The part of `range` near enough to matter, where there is one. (Level rays above and below the torus need no
-/// question of their own, as in step 1: F > 0 all along them.)
-Mask clip(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Span& range) {
+/// The part of each ray from `begin` on that is near enough to matter. Level rays above and below the torus need no
+/// question of their own, as in step 1: F > 0 all along them.
+Span near_part(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Reals begin) {
     const Real tube = torus.minor * Real(1.00001);
     const Reals high = sqrt(half2), low = -high, tubes(tube);
     const Reals first = (Reals(-tube) - o.y) / d.y, second = (tubes - o.y) / d.y;
     const Mask level = d.y == Reals(0);
-    range.near = max(range.near, select(level, low, max(low, min(first, second))));
-    range.far = min(range.far, select(level, high, min(high, max(first, second))));
-    return range.near < range.far;
+    return {max(begin, select(level, low, max(low, min(first, second)))),
+            select(level, high, min(high, max(first, second)))};
 }
 
 /// Which rays surely have no root that counts: between the planes that touch the torus they stay around it or in its
@@ -141,8 +140,8 @@ Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
     const Real outer = (torus.major + torus.minor) * Real(1.00001);
     const Reals half2 = Reals(outer * outer) - o2;
     const Vec3s d{rays.direction.x / length, rays.direction.y / length, rays.direction.z / length};
-    Span near{(span.near - shift) * length, (span.far - shift) * length};
-    open = open & (half2 > Reals(0)) & clip(torus, o, d, half2, near);
+    const Span near = near_part(torus, o, d, half2, (span.near - shift) * length);
+    open = open & (half2 > Reals(0)) & (near.near < min(near.far, (span.far - shift) * length));
     if (!open.any()) return Roots::none();
 
     const auto t_at = [&](Reals u) { return shift + u / length; };
@@ -155,6 +154,7 @@ Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
                             select(first & second, w.u, near.far), near.far};
     const Mask all = Mask::of(kAllLanes), are_pieces[] = {all, first | second, first & second};
 
+    const Reals enough = min(span.enough, span.far);
     Roots roots = Roots::none();
     Mask falling = slope(near.near).is_negative(), inside = surface(near.near).is_negative();
     Reals from = near.near;
@@ -172,7 +172,7 @@ Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
         roots.is = roots.is | found;
         roots.t = select(found, t, roots.t);
         from = select(to.are, to.u, from);
-        open = (open - found) & (t_at(from) <= span.enough);
+        open = (open - found) & (t_at(from) <= enough);
     }
     return roots;
 }
