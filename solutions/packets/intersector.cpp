@@ -12,13 +12,17 @@ using Way = PrimitiveTester::Way;
 /// What primitives are asked about.
 class PacketIntersector::Asked {
 public:
-    /// Roots beyond `enough` and those of rays that are not `open` may be left out; both may change.
-    Asked(const Rays& rays_, const Span& span_, const Beam& beam, const Mask& open, const Reals& enough)
-        : rays(rays_), active(beam.active()), span(span_), open_(open), enough_(enough),
+    /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
+    Asked(const Rays& rays_, const Span& span_, const Beam& beam, const Mask& open, const Reals& nearest)
+        : rays(rays_), active(beam.active()), span(span_), open_(open), nearest_(nearest),
           longest_axis_(beam.longest_axis()) {}
 
-    /// For shapes whose tests cost more than to tell these.
-    Span narrow_span() const { return {span.near, span.far, select(open_, enough_, Reals(-kInfinity)), span.any}; }
+    /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number of
+    /// the primitive decides.
+    Span narrow_span() const {
+        const Reals just_above = nearest_ * Reals(1 + std::numeric_limits<Real>::epsilon());
+        return {span.near, select(open_, min(span.far, just_above), Reals(-kInfinity)), span.any};
+    }
 
     const ShearedRays& sheared() const {
         if (!sheared_) sheared_.emplace(rays, longest_axis_);
@@ -36,7 +40,7 @@ public:
 
 private:
     const Mask& open_;
-    const Reals& enough_;
+    const Reals& nearest_;
     int longest_axis_;
     mutable std::optional<ShearedRays> sheared_;
     mutable std::optional<SpreadRays> single_;
@@ -153,7 +157,7 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
         Mask open = lanes;
-        const Asked asked(rays, {span.near, span.far, Reals(kInfinity), true}, beam, open, span.far);
+        const Asked asked(rays, {span.near, span.far, true}, beam, open, span.far);
         const auto ask = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -181,7 +185,7 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
         Mask open = lanes;
-        const Asked asked(rays, {span.near, span.far, Reals(kInfinity), true}, beam, open, span.far);
+        const Asked asked(rays, {span.near, span.far, true}, beam, open, span.far);
         walk<false>(beam, [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;

@@ -78,7 +78,7 @@ Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t p
         unclipped.part = select(inside_all, roots.part, unclipped.part);
         open = met - inside_all;
         rest.near = select(open, roots.t, rest.near);
-        rest.enough = select(open, rest.enough, Reals(-kInfinity));
+        rest.far = select(open, rest.far, Reals(-kInfinity));
     }
     return unclipped;
 }

@@ -13,8 +13,6 @@ namespace rays::packets {
 /// The part of the rays that counts: near < t < far.
 struct Span {
     Reals near, far;
-    /// Roots beyond it may be left out: something nearer is known. Not an end of the range: what iterates starts there.
-    Reals enough{kInfinity};
     bool any = false;  ///< where there are roots, any number in the span will do for t
     Mask contains(Reals t) const { return (near < t) & (t < far); }
 };

@@ -113,7 +113,7 @@ Mask surely_misses(const Torus& torus, const Rays& rays, const Span& span) {
     const Reals tube = Reals(Real(1.00001) * torus.minor) + Reals(1e-12) * abs(o.y), inverse = Reals(1) / d.y;
     const Reals first = (-tube - o.y) * inverse, second = (tube - o.y) * inverse;
     const Reals low = max(span.near, min(first, second));  // 0 / 0 changes nothing: std::max keeps its first argument
-    const Reals high = min(min(span.far, span.enough), max(first, second));
+    const Reals high = min(span.far, max(first, second));
 
     // The distance from the axis, squared, is a t^2 + 2 b t + c.
     const Reals a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z, c = o.x * o.x + o.z * o.z, zero(0);
@@ -154,7 +154,6 @@ Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
                             select(first & second, w.u, near.far), near.far};
     const Mask all = Mask::of(kAllLanes), are_pieces[] = {all, first | second, first & second};
 
-    const Reals enough = min(span.enough, span.far);
     Roots roots = Roots::none();
     Mask falling = slope(near.near).is_negative(), inside = surface(near.near).is_negative();
     Reals from = near.near;
@@ -172,7 +171,7 @@ Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
         roots.is = roots.is | found;
         roots.t = select(found, t, roots.t);
         from = select(to.are, to.u, from);
-        open = (open - found) & (t_at(from) <= enough);
+        open = (open - found) & (t_at(from) < span.far);
     }
     return roots;
 }
