@@ -17,8 +17,8 @@ public:
         : rays(rays_), active(beam.active()), span(span_), open_(open), nearest_(nearest),
           longest_axis_(beam.longest_axis()) {}
 
-    /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number of
-    /// the primitive decides.
+    /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
+    /// of the primitive decides.
     Span narrow_span() const {
         const Reals just_above = nearest_ * Reals(1 + std::numeric_limits<Real>::epsilon());
         return {span.near, select(open_, min(span.far, just_above), Reals(-kInfinity)), span.any};
