@@ -1,7 +1,7 @@
 // The torus, standing for every implicit surface F(p) = 0: find all roots of one function of t, miss none.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "1_ray_casting/ray_casting.h"
 #include "core/unfinished.h"
@@ -21,42 +21,50 @@ struct Value {
 };
 
 /// The root of f between a and b, where f has different signs. Newton's method; a step that would leave the bracket or
-/// that shrinks too slowly (near a double root) is replaced by bisection (Press et al., Numerical Recipes, 9.4).
-/// `guess` lies between a and b.
+/// that shrinks too slowly (near a double root) is replaced by bisection (after Press et al., Numerical Recipes, 9.4).
+/// From the middle of a bracket Newton's step may be half of it: the root may lie next to an end.
 template <class Function>
-Real bracketed_root(Function f, Real a, Real b, Real guess, bool rising) {
-    const Real tolerance = kEpsilon * std::max(std::abs(a), std::abs(b));
-    Real t = guess, last_step = b - a;
-    bool was_newton = false;
+Real bracketed_root(Function f, Real a, Real b, bool rising) {
+    // Closer to the root f is all rounding: its signs there mislead to bisect from the start.
+    const Real tolerance = 4 * kEpsilon * std::max(std::abs(a), std::abs(b));
+    Real t = a + (b - a) / 2, longest_step = (b - a) / 2;
     for (int i = 0; i < 200; ++i) {
         const Value value = f(t);
         if (value.f == 0) return t;
         ((value.f < 0) == rising ? a : b) = t;
-        Real next = t - value.f / value.slope;
-        const bool is_newton = next > a && next < b && 2 * std::abs(next - t) <= std::abs(last_step);
-        if (!is_newton) next = a + (b - a) / 2;
-        const Real step = std::abs(next - t);
-        t = next;
-        // Steps of Newton's method shrink quadratically: after these two, the next would be so long.
-        const Real shrunk = step / std::abs(last_step);
-        const Real following = is_newton && was_newton ? step * shrunk * shrunk : step;
-        if (!(following > tolerance)) break;
-        last_step = step;
-        was_newton = is_newton;
+        const Real newton = t - value.f / value.slope, half = (b - a) / 2;
+        const bool fits = newton >= a && newton <= b && std::abs(newton - t) <= longest_step;
+        const Real step = fits ? std::abs(newton - t) : half;
+        t = fits ? newton : a + half;
+        longest_step = fits ? step / 2 : step;
+        if (!(step > tolerance)) break;
     }
     return t;
 }
 
-/// A place on the ray, with F and F' there.
-struct Sample {
-    Real u;
-    Value value;
+/// Ascending places that part a range into pieces. Seven are enough for a quartic.
+struct Breaks {
+    std::array<Real, 8> at{};
+    int count = 0;
+
+    void add(Real t) { at[static_cast<std::size_t>(count++)] = t; }
+    Real operator[](int i) const { return at[static_cast<std::size_t>(i)]; }
 };
 
-/// Where the straight line between two samples of different signs meets zero.
-Real on_chord(const Sample& a, const Sample& b) {
-    const Real u = a.u + (b.u - a.u) * (a.value.f / (a.value.f - b.value.f));
-    return u > a.u && u < b.u ? u : a.u + (b.u - a.u) / 2;
+/// Calls found(root) for the roots of f in ascending order until it says true. f is monotone between the breaks: then a
+/// change of sign is a root, and there is no other. A root at the very first break counts as just before it.
+template <class Function, class Visitor>
+void each_root(const Breaks& breaks, Function f, Visitor found) {
+    const Value start = f(breaks[0]);
+    bool negative = start.f != 0 ? start.f < 0 : start.slope < 0;
+    for (int i = 0; i + 1 < breaks.count; ++i) {
+        const Real end = f(breaks[i + 1]).f;
+        if (end == 0 || (end < 0) != negative) {
+            if (found(end == 0 ? breaks[i + 1] : bracketed_root(f, breaks[i], breaks[i + 1], negative))) return;
+            if (end != 0) negative = !negative;
+            else negative = f(breaks[i + 1]).slope < 0;
+        }
+    }
 }
 
 /// The torus along a ray whose parameter u is a length, counted from the point nearest to the centre.
@@ -74,22 +82,24 @@ public:
     /// F as a product, [(rho - R)^2 + y^2 - r^2] [(rho + R)^2 + y^2 - r^2]: the terms of the expanded quartic cancel to
     /// few digits for a thin tube, those of the first factor do not. The derivative comes from the quartic: Newton's
     /// method does not need more.
-    Sample sample(Real u) const {
+    Value surface(Real u) const {
         const Vec3 p = o_ + u * d_;
         const Real rho = std::sqrt(p.x * p.x + p.z * p.z);
         const Real y2_r2 = (p.y - minor_) * (p.y + minor_);
         const Real inner = (rho - major_) * (rho - major_) + y2_r2;
         const Real outer = (rho + major_) * (rho + major_) + y2_r2;
-        return {u, {inner * outer, slope(u).f}};
+        return {inner * outer, slope(u).f};
     }
     /// F', and F'' as its derivative.
     Value slope(Real u) const { return {(4 * u * u + 2 * c2_) * u + c1_, 12 * u * u + 2 * c2_}; }
 
     /// Where F' has its extrema: F'' = 0.
-    std::optional<Real> inflection() const { return c2_ < 0 ? std::optional(std::sqrt(-c2_ / 6)) : std::nullopt; }
+    std::optional<Real> inflection() const {
+        return c2_ < 0 ? std::optional(std::sqrt(-c2_ / 6)) : std::nullopt;
+    }
 
     /// The part of the ray from `begin` on that is near enough to matter: in a ball and between two planes, a little larger
-    /// than they must be. Empty when it runs through the hole.
+    /// than they must be.
     Interval near_part(Real begin) const {
         const Real outer = (major_ + minor_) * Real(1.00001), tube = minor_ * Real(1.00001);
         const Real half2 = outer * outer - dot(o_, o_);
@@ -102,79 +112,13 @@ public:
         } else if (!(std::abs(o_.y) <= tube)) {
             return {0, 0};
         }
-        // Between these planes a ray that is in the hole at both of its ends stays in it.
-        const Real hole = (major_ - minor_) * Real(0.99999);
-        if (hole > 0 && from_axis2(low) < hole * hole && from_axis2(high) < hole * hole) return {0, 0};
         return {std::max(begin, low), high};
     }
 
 private:
-    /// The squared distance from the axis.
-    Real from_axis2(Real u) const {
-        const Real x = o_.x + u * d_.x, z = o_.z + u * d_.z;
-        return x * x + z * z;
-    }
-
     Real major_, minor_;
     Vec3 o_, d_;
     Real c2_, c1_;
-};
-
-/// Looks for roots of F piece by piece, in ascending order. Between its inflections F bends to one side only.
-class RootSearch {
-public:
-    /// `slack` is more than rounding does to F. A root at `start` itself counts as just before it.
-    RootSearch(const TorusOnRay& on_ray, Real start, Real slack)
-        : on_ray_(on_ray), left_(on_ray.sample(start)), slack_(slack) {
-        negative_ = left_.value.f != 0 ? left_.value.f < 0 : left_.value.slope < 0;
-    }
-
-    /// Goes on to `end`, the next inflection or the end of the range, and calls found(u) for the roots until it says
-    /// true.
-    template <class Visitor>
-    bool up_to(Real end, Visitor found) {
-        const Sample right = on_ray_.sample(end);
-        if (may_turn_across_zero(right)) {
-            const auto slope = [this](Real u) { return on_ray_.slope(u); };
-            const Real middle = left_.u + (right.u - left_.u) / 2;
-            const bool rising = left_.value.slope < 0;
-            const Sample extremum = on_ray_.sample(bracketed_root(slope, left_.u, right.u, middle, rising));
-            if (cross(extremum, found)) return true;
-        }
-        return cross(right, found);
-    }
-
-private:
-    /// Both ends lie on one side of zero and F turns between them: it may have been on the other side meanwhile. It
-    /// stays on its tangents' side, so where these meet short of zero, it was not.
-    bool may_turn_across_zero(const Sample& right) const {
-        const Value a = left_.value, b = right.value;
-        const Real side = negative_ ? -1 : 1;
-        const bool turns_back = side * b.f >= 0 && side * a.slope < 0 && side * b.slope > 0;
-        if (!turns_back) return false;
-        const Real meet = (b.f - b.slope * (right.u - left_.u) - a.f) / (a.slope - b.slope);
-        return !(side * (a.f + a.slope * meet) > slack_);
-    }
-
-    /// At most one root lies between left and right.
-    template <class Visitor>
-    bool cross(const Sample& right, Visitor found) {
-        const Sample left = std::exchange(left_, right);
-        const Real f = right.value.f;
-        if (f == 0) {
-            negative_ = right.value.slope < 0;
-            return found(right.u);
-        }
-        if ((f < 0) == negative_) return false;
-        const auto surface = [this](Real u) { return on_ray_.sample(u).value; };
-        const bool rising = std::exchange(negative_, !negative_);
-        return found(bracketed_root(surface, left.u, right.u, on_chord(left, right), rising));
-    }
-
-    const TorusOnRay& on_ray_;
-    Sample left_;
-    Real slack_;
-    bool negative_ = false;  ///< F just after left
 };
 
 }  // namespace
@@ -192,18 +136,27 @@ std::optional<Root> intersect(const Torus& torus, const Ray& ray, Interval range
     if (!(near.min < std::min(near.max, (range.max - shift) * length))) return std::nullopt;
 
     // Brackets do not end where the range does: what was found before must not move the last bits of a root.
-    const Real size = torus.major + torus.minor;
-    RootSearch search(on_ray, near.min, Real(1e6) * kEpsilon * size * size * size * size);
+    Breaks inflections;
+    inflections.add(near.min);
+    if (const auto w = on_ray.inflection())
+        for (const Real u : {-*w, *w})
+            if (near.contains(u)) inflections.add(u);
+    inflections.add(near.max);
+
+    Breaks extrema;
+    extrema.add(near.min);
+    each_root(inflections, [&](Real u) { return on_ray.slope(u); }, [&](Real u) {
+        if (near.contains(u)) extrema.add(u);
+        return false;
+    });
+    extrema.add(near.max);
+
     std::optional<Root> first;
-    const auto found = [&](Real u) {
+    each_root(extrema, [&](Real u) { return on_ray.surface(u); }, [&](Real u) {
         const Root root{shift + u / length};
         if (range.contains(root.t)) first = root;
         return root.t >= range.max || first.has_value();
-    };
-    if (const auto w = on_ray.inflection())
-        for (const Real u : {-*w, *w})
-            if (near.contains(u) && search.up_to(u, found)) return first;
-    search.up_to(near.max, found);
+    });
     return first;
     //< 1.10
 }

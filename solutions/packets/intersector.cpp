@@ -12,8 +12,17 @@ using Way = PrimitiveTester::Way;
 /// What primitives are asked about.
 class PacketIntersector::Asked {
 public:
-    Asked(const Rays& rays_, const Span& span_, const Beam& beam)
-        : rays(rays_), active(beam.active()), span(span_), longest_axis_(beam.longest_axis()) {}
+    /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
+    Asked(const Rays& rays_, const Span& span_, const Beam& beam, const Mask& open, const Reals& nearest)
+        : rays(rays_), active(beam.active()), span(span_), open_(open), nearest_(nearest),
+          longest_axis_(beam.longest_axis()) {}
+
+    /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
+    /// of the primitive decides.
+    Span narrow_span() const {
+        const Reals just_above = nearest_ * Reals(1 + std::numeric_limits<Real>::epsilon());
+        return {span.near, select(open_, min(span.far, just_above), Reals(-kInfinity)), span.any};
+    }
 
     const ShearedRays& sheared() const {
         if (!sheared_) sheared_.emplace(rays, longest_axis_);
@@ -30,6 +39,8 @@ public:
     const Span span;
 
 private:
+    const Mask& open_;
+    const Reals& nearest_;
     int longest_axis_;
     mutable std::optional<ShearedRays> sheared_;
     mutable std::optional<SpreadRays> single_;
@@ -122,7 +133,7 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span)
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        const Asked asked(rays, span, beam);
+        const Asked asked(rays, span, beam, lanes, found.t);
         walk<true>(beam, [&](std::uint32_t primitive) {
             if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
             return false;
@@ -145,8 +156,8 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
     Mask blocked = Mask::of(0);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        const Asked asked(rays, span, beam);
         Mask open = lanes;
+        const Asked asked(rays, {span.near, span.far, true}, beam, open, span.far);
         const auto ask = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -173,8 +184,8 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
     const Mask asking = active & (span.near < span.far);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        const Asked asked(rays, span, beam);
         Mask open = lanes;
+        const Asked asked(rays, {span.near, span.far, true}, beam, open, span.far);
         walk<false>(beam, [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -221,7 +232,7 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
         case Way::other: break;
     }
     const Primitive p = hierarchy_->tester.primitives()[primitive];
-    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.span,
+    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.narrow_span(),
                             [&]() -> const ShearedRays& { return asked.sheared(); });
 }
 
@@ -231,16 +242,11 @@ bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
            packets::has_packet_test(scene(), scene().objects[tester.primitives()[primitive].object]);
 }
 
-Mask PacketIntersector::may_meet(std::uint32_t primitive, const Rays& rays, const Span& span) const {
-    return packets::may_meet(scene(), scene().objects[hierarchy_->tester.primitives()[primitive].object], rays, span);
-}
-
 bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
     const PrimitiveTester& tester = hierarchy_->tester;
     if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
     bool changed = false;
-    const Span rest{asked.span.near, select(found.is(), found.t, asked.span.far)};
-    each_lane((asked.active & may_meet(primitive, asked.rays, rest)).bits(), [&](int i) {
+    each_lane(asked.active.bits(), [&](int i) {
         Candidate best;
         if (found.is().bits() >> i & 1)
             best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
@@ -258,7 +264,7 @@ Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, 
     if (!tester.dispatch(primitive).casts) return Mask::of(0);
     if (has_packet_test(primitive)) return roots_of(primitive, asked).is & open;
     unsigned blocked = 0;
-    each_lane((open & may_meet(primitive, asked.rays, asked.span)).bits(), [&](int i) {
+    each_lane(open.bits(), [&](int i) {
         if (tester.blocks(primitive, asked.single()[i], asked.range(i))) blocked |= 1u << i;
     });
     return Mask::of(blocked);
@@ -329,6 +335,7 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
             break;
         }
         case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
+        case ShapeKind::torus: set_normals(unit(normal(s.tori[object.shape], point))); break;
         default: set_normals(unit(box_normal(found.part))); break;
     }
     each_lane(lanes.bits(), [&](int i) {

@@ -41,7 +41,6 @@ private:
     class Asked;
     bool is_clear(std::uint32_t primitive) const;
     bool has_packet_test(std::uint32_t primitive) const;
-    Mask may_meet(std::uint32_t primitive, const Rays& rays, const Span& span) const;
     template <class Together>
     static unsigned grouped(const Rays& rays, Mask active, Together together);
     template <bool sorted, class Ask>

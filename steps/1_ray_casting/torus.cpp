@@ -1,7 +1,7 @@
 // The torus, standing for every implicit surface F(p) = 0: find all roots of one function of t, miss none.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "1_ray_casting/ray_casting.h"
 #include "core/unfinished.h"

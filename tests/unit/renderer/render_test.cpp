@@ -45,7 +45,7 @@ TEST(Render, MoreSamplesAreTheMeanOfThePixel) {
     EXPECT_FLOAT_EQ(pixel("#version 3.5;"), 0.21404114f);
 }
 
-TEST(Render, ToriThatRaysPassByTheHundredLookTheSame) {
+TEST(Render, ToriInOneAnotherLookTheSameInPackets) {
     std::string tori = tests::kHead + "light_source { <3,5,-4> rgb 1 }\n";
     for (int i = 0; i < 40; ++i) {
         const std::string n = std::to_string(i);
