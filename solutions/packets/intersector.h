@@ -25,7 +25,7 @@ public:
     const Scene& scene() const { return hierarchy_->tester.scene(); }
     const Intersector& single() const { return *single_; }
 
-    /// The nearest hits in (near, far). `active` are the rays that ask.
+    /// The nearest hits in (near, far), 0 <= near. `active` are the rays that ask.
     Hits nearest(const Rays& rays, Mask active, Real near, Real far) const;
 
     /// Which rays meet something that casts a shadow in (near, far)? `last` is who blocked last, to be asked first.
