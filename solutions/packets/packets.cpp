@@ -112,9 +112,9 @@ private:
     void trace_single(const Branches& branches, Brought& brought) {
         const SpreadRays rays(branches.rays);
         each_lane(branches.active.bits(), [&](int i) {
-            world_.pruned = 0;
+            world_.pruned = pruned_[i];  // goes on from there: sums depend on their order
             brought.set(i, rays::trace(world_, branch_of(branches, rays, i)));
-            pruned_[i] += world_.pruned;
+            pruned_[i] = world_.pruned;
         });
     }
 
