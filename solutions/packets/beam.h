@@ -18,11 +18,15 @@ using wide::kMaxFloat;
 
 class Beam {
 public:
-    Beam(const Rays& rays, Mask active, const Directions::Way& way, Real near, Reals far) : active_(active), way_(way) {
+    Beam(const Rays& rays, Mask active, const Directions::Way& way, Reals near, Reals far) : active_(active), way_(way) {
         const __m256 in = narrow(active);
+        __m256 reach = _mm256_setzero_ps();
         for (int a = 0; a < 3; ++a) {
             const bool forwards = way.forwards[a];
-            const __m256 o = Floats(rays.origin[a]).v, off = rounding_of(o), less = o - off, more = o + off;
+            const __m256 o = lane_origin_[a] = Floats(rays.origin[a]).v;
+            lane_direction_[a] = Floats(rays.direction[a]).v;
+            reach = _mm256_max_ps(reach, _mm256_andnot_ps(_mm256_set1_ps(-0.0f), o));
+            const __m256 off = rounding_of(o), less = o - off, more = o + off;
             lane_near_origin_[a] = forwards ? more : less;
             lane_far_origin_[a] = forwards ? less : more;
             near_origin_[a] = forwards ? largest(more, in) : smallest(less, in);
@@ -35,7 +39,10 @@ public:
             inverse_min_[a] = smallest(forwards ? lane_near_inverse_[a] : lane_far_inverse_[a], in);
             inverse_max_[a] = largest(forwards ? lane_far_inverse_[a] : lane_near_inverse_[a], in);
         }
-        near_ = _mm256_set1_ps(std::max(0.0f, below(near)));
+        const __m256 n = Floats(near).v;
+        lane_near_ = _mm256_max_ps(_mm256_setzero_ps(), n - rounding_of(n));
+        near_ = smallest(lane_near_, in);
+        reach_ = _mm256_cvtss_f32(largest(reach, in));
         end_at(far, active);
     }
 
@@ -53,7 +60,7 @@ public:
 
     /// Which rays may meet the box of a child: what they do together, looked at one by one.
     unsigned rays_that_meet(const wide::Node& node, unsigned child) const {
-        __m256 near = near_, far = lane_far_;
+        __m256 near = lane_near_, far = lane_far_;
         for (int a = 0; a < 3; ++a) {
             const __m256 lo = _mm256_broadcast_ss(&node.lo[a][child]), hi = _mm256_broadcast_ss(&node.hi[a][child]);
             const __m256 to_near = (way_.forwards[a] ? lo : hi) - lane_near_origin_[a];
@@ -63,6 +70,47 @@ public:
         }
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(near, far, _CMP_LE_OQ)));
     }
+
+    /// Which rays may meet a ball, or a cone, of a block: as wide::SphereRay tells, with rays and shapes in turned roles.
+    /// Directions have unit length.
+    unsigned rays_that_meet(const wide::SphereBlock& block, int i) const {
+        const ToCenter to(*this, block, i);
+        const __m256 reaches = _mm256_add_ps(_mm256_broadcast_ss(&block.radius[i]), _mm256_set1_ps(off(block)));
+        __m256 beside2 = _mm256_setzero_ps();
+        for (int a = 0; a < 3; ++a) {
+            const __m256 beside = _mm256_fnmadd_ps(to.along, lane_direction_[a], to.center[a]);
+            beside2 = _mm256_fmadd_ps(beside, beside, beside2);
+        }
+        // Not greater, not less: what is no number is asked.
+        const __m256 met = _mm256_cmp_ps(beside2, reaches * reaches, _CMP_NGT_UQ);
+        const __m256 before_far = _mm256_cmp_ps(to.along - reaches, lane_far_, _CMP_NGT_UQ);
+        const __m256 behind_near = _mm256_cmp_ps(to.along + reaches, lane_near_, _CMP_NLT_UQ);
+        return static_cast<unsigned>(_mm256_movemask_ps(_mm256_and_ps(met, _mm256_and_ps(before_far, behind_near))));
+    }
+    unsigned rays_that_meet(const wide::ConeBlock& block, int i) const {
+        const unsigned balls = rays_that_meet(block.around, i);
+        if (balls == 0) return 0;
+        const ToCenter to(*this, block.around, i);
+        __m256 axis[3], along_normal = _mm256_setzero_ps(), normal2 = along_normal;
+        float axis2 = 0;
+        for (int a = 0; a < 3; ++a) {
+            axis[a] = _mm256_broadcast_ss(&block.half_axis[a][i]);
+            axis2 += block.half_axis[a][i] * block.half_axis[a][i];
+        }
+        for (int a = 0; a < 3; ++a) {
+            const int b = (a + 1) % 3, c = (a + 2) % 3;
+            const __m256 normal = _mm256_fmsub_ps(lane_direction_[b], axis[c], lane_direction_[c] * axis[b]);
+            along_normal = _mm256_fmadd_ps(to.center[a], normal, along_normal);
+            normal2 = _mm256_fmadd_ps(normal, normal, normal2);
+        }
+        const __m256 size = _mm256_set1_ps(2 * off(block.around) * std::sqrt(axis2));
+        const __m256 most =
+            _mm256_fmadd_ps(_mm256_broadcast_ss(&block.radius[i]), _mm256_sqrt_ps(normal2), size);
+        const __m256 distance = _mm256_andnot_ps(_mm256_set1_ps(-0.0f), along_normal);
+        return balls & static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(distance, most, _CMP_NGT_UQ)));
+    }
+    /// Triangles are asked at once: their test is as short.
+    unsigned rays_that_meet(const wide::TriangleBlock&, int) const { return active_.bits(); }
 
     /// A bit for each child whose box some ray may meet; where the first may enter, in `enters`.
     unsigned meets(const wide::Node& node, float* enters) const {
@@ -108,6 +156,19 @@ public:
     }
 
 private:
+    /// From the origins to the centre of a ball, and how far along the rays that is.
+    struct ToCenter {
+        __m256 center[3], along = _mm256_setzero_ps();
+        ToCenter(const Beam& beam, const wide::SphereBlock& block, int i) {
+            for (int a = 0; a < 3; ++a) {
+                center[a] = _mm256_broadcast_ss(&block.center[a][i]) - beam.lane_origin_[a];
+                along = _mm256_fmadd_ps(center[a], beam.lane_direction_[a], along);
+            }
+        }
+    };
+    /// What rounding may do to a coordinate, a projection, a distance: as in leaf_blocks.h.
+    float off(const wide::SphereBlock& block) const { return 0x1p-19f * (block.reach + reach_); }
+
     /// More than converting to float and back may change.
     static __m256 rounding_of(__m256 f) {
         const __m256 size = _mm256_andnot_ps(_mm256_set1_ps(-0.0f), f);
@@ -149,7 +210,9 @@ private:
     static constexpr float kOff = 0x1p-21f;    ///< of a corner in float, and of a root that lies a little outside
 
     __m256 near_origin_[3], far_origin_[3], inverse_min_[3], inverse_max_[3], near_, far_;
-    __m256 lane_near_origin_[3], lane_far_origin_[3], lane_near_inverse_[3], lane_far_inverse_[3], lane_far_;
+    __m256 lane_near_origin_[3], lane_far_origin_[3], lane_near_inverse_[3], lane_far_inverse_[3], lane_near_, lane_far_;
+    __m256 lane_origin_[3], lane_direction_[3];
+    float reach_ = 0;
     Mask active_;
     float far_end_ = 0;
     Directions::Way way_;

@@ -6,7 +6,7 @@
 
 namespace rays::packets {
 
-/// As eight of `Hit`. In memory, since lanes are written group by group and sometimes one by one.
+/// As eight of `Hit`, as far as shading asks. In memory, since lanes are written group by group and sometimes one by one.
 struct Hits {
     unsigned are = 0;  ///< which rays have met something
     Spread t;
@@ -22,21 +22,14 @@ struct Hits {
             mixed.x.store(x.lane), mixed.y.store(y.lane), mixed.z.store(z.lane);
         }
     };
-    Vectors point, normal, shading_normal;
+    Vectors point, normal;  ///< the normal is the shading normal
     std::uint32_t object[kLanes], material[kLanes];
 
-    Hit operator[](int i) const {
-        Hit hit{t[i], point[i], normal[i], shading_normal[i]};
-        hit.object = object[i];
-        hit.material = material[i];
-        return hit;
-    }
     void set(int i, const Hit& hit) {
         are |= 1u << i;
         t.lane[i] = hit.t;
         point.set(i, hit.point);
-        normal.set(i, hit.normal);
-        shading_normal.set(i, hit.shading_normal);
+        normal.set(i, hit.shading_normal);
         object[i] = hit.object;
         material[i] = hit.material;
     }

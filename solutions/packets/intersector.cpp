@@ -12,13 +12,14 @@ using Way = PrimitiveTester::Way;
 /// What primitives are asked about.
 class PacketIntersector::Asked {
 public:
-    Asked(const Rays& rays_, Real near_, Reals far, const Beam& beam)
-        : rays(rays_), active(beam.active()), near(near_), span{Reals(near_), far}, longest_axis_(beam.longest_axis()) {}
+    Asked(const Rays& rays_, const Span& span_, const Beam& beam)
+        : rays(rays_), active(beam.active()), span(span_), longest_axis_(beam.longest_axis()) {}
 
     const ShearedRays& sheared() const {
         if (!sheared_) sheared_.emplace(rays, longest_axis_);
         return *sheared_;
     }
+    Interval range(int i) const { return {Spread(span.near)[i], Spread(span.far)[i]}; }
     const SpreadRays& single() const {
         if (!single_) single_.emplace(rays);
         return *single_;
@@ -26,7 +27,6 @@ public:
 
     const Rays& rays;
     const Mask active;
-    const Real near;
     const Span span;
 
 private:
@@ -52,8 +52,10 @@ void PacketIntersector::walk(Beam& beam, Ask ask) const {
     if (tree.nodes.empty()) return;
 
     const auto ask_block = [&](const auto& block, const auto& numbers) {
-        for (unsigned mask = beam.meets(block); mask != 0; mask &= mask - 1)
-            if (ask(numbers[std::countr_zero(mask)])) return true;
+        for (unsigned mask = beam.meets(block); mask != 0; mask &= mask - 1) {
+            const int i = std::countr_zero(mask);
+            if (beam.rays_that_meet(block, i) != 0 && ask(numbers[i])) return true;
+        }
         return false;
     };
     const auto ask_leaf = [&](Child leaf) {
@@ -127,11 +129,11 @@ unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together toge
     return alone;
 }
 
-Hits PacketIntersector::nearest(const Rays& rays, Mask active, Real near, Real far) const {
+Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span) const {
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
-        Beam beam(rays, lanes, way, near, Reals(far));
-        const Asked asked(rays, near, Reals(far), beam);
+        Beam beam(rays, lanes, way, span.near, span.far);
+        const Asked asked(rays, span, beam);
         walk<true>(beam, [&](std::uint32_t primitive) {
             if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
             return false;
@@ -141,19 +143,20 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, Real near, Real f
     if (found.is().any()) complete(rays, found, hits);
     if (alone != 0) {
         const SpreadRays single(rays);
+        const Spread starts(span.near), ends(span.far);
         each_lane(alone, [&](int i) {
-            if (const auto hit = single_->nearest(single[i], {near, far})) hits.set(i, *hit);
+            if (const auto hit = single_->nearest(single[i], {starts[i], ends[i]})) hits.set(i, *hit);
         });
     }
     return hits;
 }
 
-Mask PacketIntersector::occluded(const Rays& rays, Mask active, Real near, Reals far, std::uint32_t& last) const {
-    const Mask asking = active & (Reals(near) < far);
+Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span, std::uint32_t& last) const {
+    const Mask asking = active & (span.near < span.far);
     Mask blocked = Mask::of(0);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
-        Beam beam(rays, lanes, way, near, far);
-        const Asked asked(rays, near, far, beam);
+        Beam beam(rays, lanes, way, span.near, span.far);
+        const Asked asked(rays, span, beam);
         Mask open = lanes;
         const auto ask = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
@@ -161,27 +164,27 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, Real near, Reals
             last = primitive;
             blocked = blocked | now;
             open = open - now;
-            beam.end_at(far, open);
+            beam.end_at(span.far, open);
             return !open.any();
         };
         if (last == kNone || !ask(last)) walk<false>(beam, ask);
     });
     if (alone == 0) return blocked;
     const SpreadRays single(rays);
-    const Spread ends(far);
+    const Spread starts(span.near), ends(span.far);
     unsigned bits = 0;
     each_lane(alone, [&](int i) {
-        if (single_->blocked(single[i], {near, ends[i]}, last)) bits |= 1u << i;
+        if (single_->blocked(single[i], {starts[i], ends[i]}, last)) bits |= 1u << i;
     });
     return blocked | Mask::of(bits);
 }
 
-Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, Real near, Reals far) const {
+Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span& span) const {
     Obstacles met;
-    const Mask asking = active & (Reals(near) < far);
+    const Mask asking = active & (span.near < span.far);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
-        Beam beam(rays, lanes, way, near, far);
-        const Asked asked(rays, near, far, beam);
+        Beam beam(rays, lanes, way, span.near, span.far);
+        const Asked asked(rays, span, beam);
         Mask open = lanes;
         walk<false>(beam, [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
@@ -192,7 +195,7 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, Real near,
             }
             met.clear = met.clear | now;
             open = open - now;
-            beam.end_at(far, open);
+            beam.end_at(span.far, open);
             return !open.any();
         });
     });
@@ -243,12 +246,11 @@ bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked,
     const PrimitiveTester& tester = hierarchy_->tester;
     if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
     bool changed = false;
-    const Spread ends(asked.span.far);
     each_lane(asked.active.bits(), [&](int i) {
         Candidate best;
         if (found.is().bits() >> i & 1)
             best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
-        tester.keep_nearer(primitive, asked.single()[i], {asked.near, ends[i]}, best);
+        tester.keep_nearer(primitive, asked.single()[i], asked.range(i), best);
         if (best.primitive == primitive)
             changed |= found.keep_nearer({Mask::of(1u << i), Reals(best.root.t), Reals(best.root.uv.x), Reals(best.root.uv.y),
                                Reals(static_cast<double>(best.root.part))},
@@ -262,9 +264,8 @@ Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, 
     if (!tester.dispatch(primitive).casts) return Mask::of(0);
     if (has_packet_test(primitive)) return roots_of(primitive, asked).is & open;
     unsigned blocked = 0;
-    const Spread ends(asked.span.far);
     each_lane(open.bits(), [&](int i) {
-        if (tester.blocks(primitive, asked.single()[i], {asked.near, ends[i]})) blocked |= 1u << i;
+        if (tester.blocks(primitive, asked.single()[i], asked.range(i))) blocked |= 1u << i;
     });
     return Mask::of(blocked);
 }
@@ -303,7 +304,6 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
     const auto set_normals = [&](Vec3s n) {
         if (transform) n = normalize(times(glm::transpose(transform->inverse_linear), n));
         hits.normal.set(lanes, n);
-        hits.shading_normal.set(lanes, n);
     };
     // Of unit length in the world: a normal that is still to be moved need not be.
     const auto unit = [&](const Vec3s& n) { return transform ? n : normalize(n); };
@@ -321,21 +321,17 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
             break;
         case ShapeKind::smooth_triangle: {
             const SmoothTriangle& t = s.smooth_triangles[object.shape];
-            hits.normal.set(lanes, flat(t.triangle));
-            hits.shading_normal.set(lanes,
-                                    normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
+            set_normals(normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
             break;
         }
         case ShapeKind::mesh: {
             const Mesh& mesh = s.meshes[object.shape];
             const Mesh::Face& face = mesh.faces[p.part];
             if (face.material != Mesh::kObjectMaterial) material = face.material;
-            set_normals(flat(triangle_of(mesh, p.part)));
-            if (face.smooth) {
-                const auto [a, b, c] = face.normal;
-                hits.shading_normal.set(
-                    lanes, normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u, found.v)));
-            }
+            const auto [a, b, c] = face.normal;
+            set_normals(face.smooth ? normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u,
+                                                            found.v))
+                                    : flat(triangle_of(mesh, p.part)));
             break;
         }
         case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;

@@ -18,6 +18,7 @@ struct Obstacles {
 };
 
 /// Rays that go the same way walk the hierarchy together, others alone. The answers are those of single rays, bit by bit.
+/// Directions have unit length.
 class PacketIntersector {
 public:
     explicit PacketIntersector(const Scene& scene);
@@ -25,14 +26,14 @@ public:
     const Scene& scene() const { return hierarchy_->tester.scene(); }
     const Intersector& single() const { return *single_; }
 
-    /// The nearest hits in (near, far), 0 <= near. `active` are the rays that ask.
-    Hits nearest(const Rays& rays, Mask active, Real near, Real far) const;
+    /// The nearest hits in the span, 0 <= near. `active` are the rays that ask.
+    Hits nearest(const Rays& rays, Mask active, const Span& span) const;
 
-    /// Which rays meet something that casts a shadow in (near, far)? `last` is who blocked last, to be asked first.
-    Mask occluded(const Rays& rays, Mask active, Real near, Reals far, std::uint32_t& last) const;
+    /// Which rays meet something that casts a shadow in the span? `last` is who blocked last, to be asked first.
+    Mask occluded(const Rays& rays, Mask active, const Span& span, std::uint32_t& last) const;
 
     /// The same where shadows are filtered. All that a ray meets is looked at, until something clear is found.
-    Obstacles obstacles(const Rays& rays, Mask active, Real near, Reals far) const;
+    Obstacles obstacles(const Rays& rays, Mask active, const Span& span) const;
 
 private:
     /// Fewer rays are faster one by one; measured (NOTES.md).

@@ -123,13 +123,12 @@ Reals power(Mask lanes, Reals x, double exponent) {
     return {_ZGVdN4vv_pow(base.lo, e), _ZGVdN4vv_pow(base.hi, e)};
 }
 
-Surfaces surfaces_at(const Scene& scene, const Hits& hits, Mask lanes, const Material& material,
-                     const Vec3s& to_viewer) {
+Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
+                     const Material& material) {
     Surfaces at;
     at.are = lanes;
-    at.point = hits.point.load();
-    const Vec3s normal = hits.shading_normal.load();
-    at.normal = select(dot(normal, to_viewer) < Reals(0), -normal, normal);
+    at.point = point;
+    at.normal = select(dot(normal, to_viewer) < Reals(0.0), -normal, normal);
     at.to_viewer = to_viewer;
     set_pigment(scene, material.pigment, at);
     at.finish = &material.finish;
@@ -139,30 +138,55 @@ Surfaces surfaces_at(const Scene& scene, const Hits& hits, Mask lanes, const Mat
 Radiances Shadows::visibility(std::size_t light, const Vec3s& point, Mask lanes, const Vec3s& to_light,
                               Reals distance, const Inside& inside) {
     const Rays rays(point, to_light);
-    const Reals end = distance - Reals(kShadowTolerance);
-    const Radiances all{Floats(1), Floats(1), Floats(1)}, none;
-    if (!world_.filtered_shadows) {
-        const Mask blocked = intersector_.occluded(rays, lanes, kShadowTolerance, end, last_[light]);
-        return select(blocked, none, all);
-    }
-    const Obstacles met = intersector_.obstacles(rays, lanes, kShadowTolerance, end);
-    Radiances left = select(met.opaque, none, all);
-    if (!met.clear.any()) return left;
-    const FilteredShadows one_by_one(world_, inside);
-    const SpreadRays single(rays);
-    const Spread distances(distance);
-    alignas(32) float r[kLanes], g[kLanes], b[kLanes];
-    left.r.store(r), left.g.store(g), left.b.store(b);
-    each_lane(met.clear.bits(), [&](int i) {
-        Surface surface;
-        surface.point = single[i].origin;
-        Illumination from;
-        from.to_light = single[i].direction;
-        from.distance = distances[i];
-        const Radiance seen = one_by_one.of(surface, from);
-        r[i] = seen[0], g[i] = seen[1], b[i] = seen[2];
+    const Span span{Reals(kShadowTolerance), distance - Reals(kShadowTolerance)};
+    const Radiances all{Floats(1.0f), Floats(1.0f), Floats(1.0f)}, none;
+    if (!world_.filtered_shadows) return select(intersector_.occluded(rays, lanes, span, last_[light]), none, all);
+    const Obstacles met = intersector_.obstacles(rays, lanes, span);
+    const Radiances left = select(met.opaque, none, all);
+    return met.clear.any() ? select(met.clear, filtered(rays, met.clear, span, inside), left) : left;
+}
+
+/// Task 3.7: from hit to hit, in the media that each shadow ray is in.
+Radiances Shadows::filtered(const Rays& rays, Mask open, Span span, const Inside& inside) const {
+    const Scene& scene = world_.scene;
+    Radiance left[kLanes];
+    Inside media[kLanes];
+    Real last_caster[kLanes] = {};
+    Spread starts(span.near);
+    each_lane(open.bits(), [&](int i) {
+        left[i] = Radiance(1.0f);
+        media[i] = inside;
     });
-    return {Floats::load(r), Floats::load(g), Floats::load(b)};
+    while (open.any()) {
+        const Hits hits = intersector_.nearest(rays, open, span);
+        unsigned going_on = hits.are;
+        each_lane(hits.are, [&](int i) {
+            starts.lane[i] = hits.t[i];
+            if (scene.objects[hits.object[i]].no_shadow) return;
+            const Color color = pigment_at(scene, scene.materials[hits.material[i]].pigment, hits.point[i]);
+            left[i] *= color.filter * color.rgb + Radiance(color.transmit);
+            if (left[i].is_black()) {
+                going_on &= ~(1u << i);
+                return;
+            }
+            const Medium medium = medium_of(scene, hits.object[i]);
+            if (media[i].leave(medium)) {
+                const Interior* interior = interior_of(scene, medium);
+                if (interior && interior->fade_power > 0)
+                    left[i] *= absorption(*interior, hits.t[i] - last_caster[i]);
+            } else {
+                media[i].enter(medium);
+            }
+            last_caster[i] = hits.t[i];
+            starts.lane[i] = hits.t[i] + kShadowTolerance;
+        });
+        open = Mask::of(going_on);
+        span.near = Reals::load(starts.lane);
+    }
+    alignas(32) float lanes[3][kLanes];
+    for (int i = 0; i < kLanes; ++i)
+        for (int c = 0; c < 3; ++c) lanes[c][i] = left[i][c];
+    return {Floats::load(lanes[0]), Floats::load(lanes[1]), Floats::load(lanes[2])};
 }
 
 Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& at, const Inside& inside) {

@@ -19,9 +19,9 @@ struct Surfaces {
     const Finish* finish;
 };
 
-/// The points of `hits` at `lanes`, which share a material.
-Surfaces surfaces_at(const Scene& scene, const Hits& hits, Mask lanes, const Material& material,
-                     const Vec3s& to_viewer);
+/// Points of the same material; `normal` is turned to the viewer.
+Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
+                     const Material& material);
 
 /// How much of the light number `light` gets to the points, in the given directions and distances.
 class Shadows {
@@ -33,6 +33,8 @@ public:
                          const Inside& inside);
 
 private:
+    Radiances filtered(const Rays& rays, Mask open, Span span, const Inside& inside) const;
+
     const PacketIntersector& intersector_;
     const World& world_;
     std::vector<std::uint32_t> last_;  ///< who blocked each light last

@@ -7,14 +7,13 @@
 
 namespace rays {
 
-inline constexpr int kPacketWidth = 4, kPacketHeight = 2;  ///< pixels of a packet
-inline constexpr int kPacketSize = kPacketWidth * kPacketHeight;
-
-/// A block of neighbouring pixels, row by row from its upper left corner.
+/// A square of neighbouring pixels, given by its upper left corner. Eight that follow each other lie in two rows of four.
 struct Block {
+    static constexpr int kSide = 8, kSize = kSide * kSide;
+
     int x = 0, y = 0;
-    int column(int i) const { return x + i % kPacketWidth; }
-    int row(int i) const { return y + i / kPacketWidth; }
+    int column(int i) const { return x + i / 8 % 2 * 4 + i % 4; }
+    int row(int i) const { return y + i / 16 * 2 + i % 8 / 4; }
 };
 
 /// One thread's.
@@ -25,7 +24,7 @@ public:
     /// `pruned` what pruning leaves open (World::pruned). Pixels beyond the raster get nothing. All rays start in the
     /// same media.
     virtual void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
-                              Radiance (&sum)[kPacketSize], double (&pruned)[kPacketSize]) = 0;
+                              Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) = 0;
 };
 
 /// What all threads share.

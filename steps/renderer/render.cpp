@@ -104,11 +104,11 @@ void render_packets(PacketTracer& tracer, const CameraMedia& media, const Render
                     Residuals& residuals) {
     const Grid grid(options.samples);
     const Raster& raster = options.raster;
-    for (Block block{0, y}; block.x < raster.width; block.x += kPacketWidth) {
-        Radiance sum[kPacketSize];
-        double pruned[kPacketSize] = {};
+    for (Block block{0, y}; block.x < raster.width; block.x += Block::kSide) {
+        Radiance sum[Block::kSize];
+        double pruned[Block::kSize] = {};
         grid.each([&](Vec2 offset) { tracer.add_radiance(raster, block, offset, media.fixed(), sum, pruned); });
-        for (int i = 0; i < kPacketSize; ++i) {
+        for (int i = 0; i < Block::kSize; ++i) {
             const int column = block.column(i), row = block.row(i);
             if (column >= raster.width || row >= raster.height) continue;
             film.at(column, row) = grid.mean(sum[i]);
@@ -152,7 +152,7 @@ Film render(const Scene& scene, const RenderOptions& options, Residual* residual
     const World prototype = make_world(scene, packets ? packets->intersector() : *own);
     const CameraMedia media(prototype);
     Residuals residuals(options.raster.height);
-    const int rows = packets ? kPacketHeight : 1;
+    const int rows = packets ? Block::kSide : 1;
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
         World world = prototype;

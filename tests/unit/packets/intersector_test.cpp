@@ -19,18 +19,27 @@ using rays::tests::staged;
 struct Packet {
     Lanes<Ray> rays;
     unsigned active = kAllLanes;
-    Interval range;
-    Lanes<Real> ends;  ///< of shadow rays: each its own
+    Lanes<Interval> ranges;
+
+    Span span() const {
+        Lanes<Real> near, far;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            near[i] = ranges[i].min;
+            far[i] = ranges[i].max;
+        }
+        return {together(near), together(far)};
+    }
 };
 
 class HardPackets {
 public:
     HardPackets(const Scene& scene, std::uint64_t seed) : rays_(scene, seed), bits_(seed) {}
 
+    /// Directions of unit length, as packets want them.
     Packet next() {
         Packet packet;
         const HardRays::Query first = forwards();
-        packet.range = first.range;
+        const Real length = glm::length(first.ray.direction);
         const Real spread = std::pow(Real(10), -4 * unit());
         const std::uint64_t habit = below(6);
         for (std::size_t i = 0; i < kLanes; ++i) {
@@ -43,7 +52,10 @@ public:
             if (habit == 4 && i % 2) ray = {ray.origin, -ray.direction};  // two ways
             if (habit == 5) ray.direction = i < 5 ? ray.direction + spread * glm::length(ray.direction) * jitter() : other.direction;
             if (!is_ray(ray)) ray = first.ray;
-            packet.ends[i] = below(3) ? first.range.max : first.range.min + unit() * Real(20) / glm::length(ray.direction);
+            ray.direction = glm::normalize(ray.direction);
+            Interval& range = packet.ranges[i] = {first.range.min * length, first.range.max * length};
+            if (below(3) == 0) range.max = range.min + unit() * Real(20);
+            if (below(8) == 0) range.min = unit() * Real(10);
         }
         if (below(2)) packet.active = unsigned(bits_()) & kAllLanes;
         return packet;
@@ -67,7 +79,14 @@ private:
     std::mt19937_64 bits_;
 };
 
-std::optional<Hit> hit_of(const Hits& hits, int lane) { return hits.are >> lane & 1 ? std::optional(hits[lane]) : std::nullopt; }
+std::optional<Hit> hit_of(const Hits& hits, int lane) {
+    if (!(hits.are >> lane & 1)) return std::nullopt;
+    Hit hit{hits.t[lane], hits.point[lane]};
+    hit.shading_normal = hits.normal[lane];
+    hit.object = hits.object[lane];
+    hit.material = hits.material[lane];
+    return hit;
+}
 
 /// Thousands of primitives, so that boxes, blocks and the order of the walk matter.
 const std::vector<HardScene>& large_scenes() {
@@ -117,14 +136,15 @@ TEST_P(PacketsAgree, OnTheNearest) {
     int hits = 0;
     for (int n = 0; n < packets(); ++n) {
         const Packet p = source.next();
-        const Hits got = together_.nearest(together(p.rays), Mask::of(p.active), p.range.min, p.range.max);
+        const Hits got = together_.nearest(together(p.rays), Mask::of(p.active), p.span());
         ASSERT_EQ(got.are & ~p.active, 0u) << "who did not ask has a hit";
         for (int i = 0; i < kLanes; ++i) {
             if (!(p.active >> i & 1)) continue;
             const Ray& ray = p.rays[std::size_t(i)];
-            const auto expected = truth().nearest(ray, p.range);
+            const Interval range = p.ranges[std::size_t(i)];
+            const auto expected = truth().nearest(ray, range);
             hits += expected.has_value();
-            ASSERT_TRUE(same(hit_of(got, i), expected)) << "packet " << n << ", lane " << i << ", " << text(ray, p.range) << ": "
+            ASSERT_TRUE(same(hit_of(got, i), expected)) << "packet " << n << ", lane " << i << ", " << text(ray, range) << ": "
                                                         << text(hit_of(got, i)) << " instead of " << text(expected);
         }
     }
@@ -139,11 +159,11 @@ TEST_P(PacketsAgree, OnWhatIsOccluded) {
     for (int n = 0; n < packets(); ++n) {
         const Packet p = source.next();
         if (n % 5 == 0) last = kNone;
-        const unsigned got = together_.occluded(together(p.rays), Mask::of(p.active), p.range.min, together(p.ends), last).bits();
+        const unsigned got = together_.occluded(together(p.rays), Mask::of(p.active), p.span(), last).bits();
         ASSERT_EQ(got & ~p.active, 0u) << "who did not ask is blocked";
         for (std::size_t i = 0; i < kLanes; ++i) {
             if (!(p.active >> i & 1)) continue;
-            const Interval range{p.range.min, p.ends[i]};
+            const Interval range = p.ranges[i];
             ASSERT_EQ(got >> i & 1, unsigned{truth().occluded(p.rays[i], range)}) << "packet " << n << ", lane " << i << ", " << text(p.rays[i], range);
         }
     }
@@ -194,12 +214,12 @@ TEST(PacketObstacles, SayWhichRaysAreBlockedAndWhichMeetSomethingClear) {
     int blocked = 0, clear = 0, none = 0, asked_alone = 0;
     for (int n = 0; n < 1500; ++n) {
         const Packet p = source.next();
-        const Obstacles got = together_intersector.obstacles(together(p.rays), Mask::of(p.active), p.range.min, together(p.ends));
+        const Obstacles got = together_intersector.obstacles(together(p.rays), Mask::of(p.active), p.span());
         ASSERT_EQ((got.opaque | got.clear).bits() & ~p.active, 0u);
         ASSERT_EQ((got.opaque & got.clear).bits(), 0u) << "either blocked, or to be looked at";
         for (std::size_t i = 0; i < kLanes; ++i) {
             if (!(p.active >> i & 1)) continue;
-            const Interval range{p.range.min, p.ends[i]};
+            const Interval range = p.ranges[i];
             const Met truth = met_by(scene, tester, p.rays[i], range);
             const bool is_blocked = got.opaque.bits() >> i & 1, is_clear = got.clear.bits() >> i & 1;
             // Rays that go their own way may be passed on without a look: for those, clear is always right.
@@ -223,13 +243,13 @@ TEST(PacketObstacles, RaysTogetherArePassedOnOnlyForSomethingClear) {
     const Scene scene = staged("#for (I, 0, 7) sphere { <I, 0, 0>, 0.3 #if (mod(I, 2)) pigment { rgbt 0.5 } #end } #if (I > 3) sphere { <I, 0, 4>, 0.3 } #end #end\n");
     const PacketIntersector intersector(scene);
     Lanes<Ray> rays;
-    for (std::size_t i = 0; i < kLanes; ++i) rays[i] = {{Real(i) + Real(0.01), Real(0.02), -5}, {Real(0.001), Real(0.001), 1}};
-    const Obstacles all = intersector.obstacles(together(rays), Mask::of(kAllLanes), 0, Reals(100.0));
+    for (std::size_t i = 0; i < kLanes; ++i) rays[i] = {{Real(i) + Real(0.01), Real(0.02), -5}, glm::normalize(Vec3(Real(0.001), Real(0.001), 1))};
+    const Obstacles all = intersector.obstacles(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(100.0)});
     EXPECT_EQ(all.opaque.bits(), 0b01010101u);
     EXPECT_EQ(all.clear.bits(), 0b10101010u);
-    const Obstacles near = intersector.obstacles(together(rays), Mask::of(kAllLanes), 0, Reals(2.0));
+    const Obstacles near = intersector.obstacles(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(2.0)});
     EXPECT_FALSE(near.opaque.any() || near.clear.any());
-    const Obstacles behind = intersector.obstacles(together(rays), Mask::of(kAllLanes), 7, Reals(100.0));
+    const Obstacles behind = intersector.obstacles(together(rays), Mask::of(kAllLanes), {Reals(7.0), Reals(100.0)});
     EXPECT_EQ(behind.opaque.bits(), 0b11110000u);
     EXPECT_FALSE(behind.clear.any());
 }
@@ -256,14 +276,14 @@ TEST(PacketIntersectors, MissWhatIsNoRay) {
     const Scene scene = staged(hard_scenes()[3].text + "box { 1, 2 rotate 10 } torus { 1, 0.2 } disc { 0, y, 1 } quadric { <1, 1, 1>, <0, 0, 0>, <0, 0, 0>, -1 }\n");
     const PacketIntersector intersector(scene);
     const Real nan = std::nan("");
-    const Vec3 origin(5, 5, -9), direction(0.01, 0.02, 1);
+    const Vec3 origin(5, 5, -9), direction = glm::normalize(Vec3(Real(0.01), Real(0.02), 1));
     for (const Ray& none : {Ray{origin, Vec3(nan)}, Ray{Vec3(nan), direction}, Ray{origin, {nan, 0, 1}}, Ray{{0, nan, -9}, direction},
                             Ray{origin, Vec3(0)}, Ray{origin, Vec3(-0.0)}, Ray{origin, {0, 0, kInfinity}}, Ray{{0, -kInfinity, 0}, direction}}) {
         Lanes<Ray> rays;
         for (std::size_t i = 0; i < kLanes; ++i) rays[i] = i % 3 == 1 ? none : Ray{origin + Vec3(Real(i) * Real(0.1)), direction};
-        const Hits hits = intersector.nearest(together(rays), Mask::of(kAllLanes), Real(1e-4), Real(1e7));
+        const Hits hits = intersector.nearest(together(rays), Mask::of(kAllLanes), {Reals(1e-4), Reals(1e7)});
         std::uint32_t last = kNone;
-        const unsigned blocked = intersector.occluded(together(rays), Mask::of(kAllLanes), Real(1e-3), Reals(1e7), last).bits();
+        const unsigned blocked = intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(1e-3), Reals(1e7)}, last).bits();
         for (std::size_t i = 0; i < kLanes; ++i) {
             EXPECT_TRUE(same(hit_of(hits, int(i)), intersector.single().nearest(rays[i], {Real(1e-4), Real(1e7)}))) << text(rays[i], {});
             EXPECT_EQ(blocked >> i & 1, unsigned{intersector.single().occluded(rays[i], {Real(1e-3), Real(1e7)})}) << text(rays[i], {});
@@ -275,13 +295,13 @@ TEST(PacketIntersectors, NobodyAsksNobodyIsAnswered) {
     const Scene scene = staged("plane { y, 0 } sphere { 0, 1 }\n");
     const PacketIntersector intersector(scene);
     Lanes<Ray> rays;
-    rays.fill({{0, 3, -5}, {0, Real(-0.6), 1}});
+    rays.fill({{0, 3, -5}, glm::normalize(Vec3(0, Real(-0.6), 1))});
     std::uint32_t last = kNone;
-    EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0), 0, 100).are, 0u);
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(0), 0, Reals(100.0), last).any());
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), 0, Reals(-1.0), last).any()) << "an empty range";
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), 0, Reals(std::nan("")), last).any());
-    EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0b1), 0, 100).are, 1u) << "one ray";
+    EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}).are, 0u);
+    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}, last).any());
+    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(-1.0)}, last).any()) << "an empty range";
+    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(std::nan(""))}, last).any());
+    EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0b1), {Reals(0.0), Reals(100.0)}).are, 1u) << "one ray";
 }
 
 }  // namespace
