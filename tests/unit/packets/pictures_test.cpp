@@ -139,12 +139,12 @@ private:
     std::string light() {
         const std::string kind = pick({"", "", "spotlight point_at 0 radius 10 falloff 35 tightness 3", "cylinder point_at 0 radius 2 falloff 4 tightness 2",
                                        "parallel point_at 0", "spotlight parallel point_at <0, -1, 0> radius 20 falloff 40"});
-        return fmt::format("light_source {{ {}, rgb {} {}{}{} }}\n", vector(-6, 6), vector(0, 1.2), kind, maybe(6, "shadowless"),
+        return fmt::format("light_source {{ {}, rgb {} {}{}{} }}\n", vector(-6, 6), vector(chance(6) ? -0.6 : 0, 1.2), kind, maybe(6, "shadowless"),
                            maybe(3, fmt::format("fade_distance {} fade_power {}", number(1, 8), pick({"1", "2", "3", "1.7"}))));
     }
     std::string color() {
         if (chance(3)) return pick({"rgbf <1, 0.8, 0.6, 0.7>", "rgbt <0.2, 0.5, 1, 0.6>", "rgbft <0.9, 1, 0.9, 0.4, 0.5>", "rgbf 1", "rgbft <1, 1, 1, 0.8, 0.6>", "rgbf <0, 0, 0, 1>"});
-        return "rgb " + vector(0, 1);
+        return "rgb " + vector(chance(8) ? -0.5 : 0, 1);
     }
     std::string pigment() {
         if (chance(4)) return fmt::format("pigment {{ checker {} {} scale {} rotate {} }}", color(), color(), number(0.2, 1), vector(0, 90));
@@ -153,7 +153,7 @@ private:
     std::string mirror() {
         const std::string range = pick({"0.4", "1", "rgb <0.9, 0.5, 0.1>", "0.1, rgb <0.8, 0.9, 1>", "0, 1", "1.2"});
         return fmt::format("reflection {{ {}{}{}{}{} }}", range, maybe(3, "fresnel on"), maybe(4, "falloff " + number(0.5, 5)),
-                           maybe(5, "exponent " + number(0.5, 2)), maybe(5, "metallic"));
+                           maybe(5, "exponent " + pick({"0.5", "2", "1.3"})), maybe(5, "metallic"));
     }
     std::string texture() {
         return fmt::format("{} finish {{ ambient {} diffuse {}{}{}{}{}{}{} }}{}{}", pigment(), pick({"0", "0.1", "rgb <0.1, 0.2, 0.3>"}), pick({"0", "0.6", "0.9"}),
