@@ -212,7 +212,9 @@ Quadric quadric_of(const Vec3& squares, const Vec3& products, const Vec3& linear
 
 TEST(PacketShapes, Quadrics) {
     const Vec3 none(0);
-    const Special special{{Vec3(0), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 1}}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}}, 2};
+    Special special{{Vec3(0), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 1}}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}}, 2};
+    // Along the cone x^2 + z^2 = y^2: nothing but rounding is left of the square.
+    for (int k = 0; k < 8; ++k) special.directions.push_back(Real(0.7) * Vec3(std::cos(Real(k)), 1, std::sin(Real(k))));
     for (const Quadric& q : {quadric_of({1, 1, 1}, none, none, -1), quadric_of({1, 0, 1}, none, none, -1), quadric_of({1, -1, 1}, none, none, 0),
                              quadric_of({1, 0, 1}, none, {0, -1, 0}, 0), quadric_of({1, 0, -1}, none, {0, -1, 0}, 0), quadric_of({1, -1, 1}, none, none, Real(0.3)),
                              quadric_of({1, 2, Real(0.5)}, {Real(0.3), Real(-0.7), 1}, {Real(0.1), 2, -1}, -1), quadric_of(none, none, {1, 2, 3}, -1)})
