@@ -55,7 +55,8 @@ inline bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
            a->object == b->object && a->material == b->material;
 }
 inline std::string text(const std::optional<Hit>& hit) {
-    return hit ? fmt::format("object {} at {:.17g}, normal {}", hit->object, hit->t, text(hit->shading_normal)) : "miss";
+    return hit ? fmt::format("object {} at {:.17g}, normal {}", hit->object, hit->t, text(hit->shading_normal))
+               : "miss";
 }
 
 }  // namespace rays::packets::tests

@@ -11,8 +11,8 @@
 namespace rays::packets::tests {
 namespace {
 
-using rays::tests::HardScene;
 using rays::tests::hard_scenes;
+using rays::tests::HardScene;
 using rays::tests::staged;
 
 /// Eight rays of one of several habits, and which of them ask.
@@ -45,12 +45,14 @@ public:
         for (std::size_t i = 0; i < kLanes; ++i) {
             const Ray other = rays_.next().ray;
             Ray& ray = packet.rays[i] = first.ray;
-            if (habit == 0) ray = other;                                              // all over the place
+            if (habit == 0) ray = other;                                                      // all over the place
             if (habit == 1) ray.direction += spread * glm::length(ray.direction) * jitter();  // a pencil
             if (habit == 2) ray.origin += spread * glm::length(ray.direction) * jitter();     // side by side
             if (habit == 3) ray = rays_.through_the_box();
             if (habit == 4 && i % 2) ray = {ray.origin, -ray.direction};  // two ways
-            if (habit == 5) ray.direction = i < 5 ? ray.direction + spread * glm::length(ray.direction) * jitter() : other.direction;
+            if (habit == 5)
+                ray.direction =
+                    i < 5 ? ray.direction + spread * glm::length(ray.direction) * jitter() : other.direction;
             if (!is_ray(ray)) ray = first.ray;
             ray.direction = glm::normalize(ray.direction);
             Interval& range = packet.ranges[i] = {first.range.min * length, first.range.max * length};
@@ -91,18 +93,25 @@ std::optional<Hit> hit_of(const Hits& hits, int lane) {
 /// Thousands of primitives, so that boxes, blocks and the order of the walk matter.
 const std::vector<HardScene>& large_scenes() {
     static const std::vector<HardScene> scenes{
-        {"thousands_of_spheres", "#for (I, 1, 3000) sphere { <rand(R), rand(R), rand(R)> * 20, 0.02 + 0.4 * rand(R) } #end\n"},
+        {"thousands_of_spheres",
+         "#for (I, 1, 3000) sphere { <rand(R), rand(R), rand(R)> * 20, 0.02 + 0.4 * rand(R) } #end\n"},
         {"thousands_of_cones",
-         "#for (I, 1, 3000) #local P = <rand(R), rand(R), rand(R)> * 20; cone { P, 0.3 * rand(R), P + <rand(R), rand(R), rand(R)> * 2 - 1, 0.2 * rand(R)\n"
+         "#for (I, 1, 3000) #local P = <rand(R), rand(R), rand(R)> * 20; cone { P, 0.3 * rand(R), P + <rand(R), "
+         "rand(R), rand(R)> * 2 - 1, 0.2 * rand(R)\n"
          "#if (mod(I, 3) = 0) open #end } #end\n"},
         {"thousands_of_triangles",
-         "mesh { #for (I, 1, 4000) #local P = <rand(R), rand(R), rand(R)> * 20; triangle { P, P + <rand(R), rand(R), rand(R)>, P + <rand(R), rand(R), -rand(R)> } #end }\n"
-         "#for (I, 1, 500) #local P = <rand(R), rand(R), rand(R)> * 20; smooth_triangle { P, x, P + <rand(R), 0, rand(R)>, y, P + <rand(R), rand(R), -rand(R)>, z } #end\n"},
+         "mesh { #for (I, 1, 4000) #local P = <rand(R), rand(R), rand(R)> * 20; triangle { P, P + <rand(R), rand(R), "
+         "rand(R)>, P + <rand(R), rand(R), -rand(R)> } #end }\n"
+         "#for (I, 1, 500) #local P = <rand(R), rand(R), rand(R)> * 20; smooth_triangle { P, x, P + <rand(R), 0, "
+         "rand(R)>, y, P + <rand(R), rand(R), -rand(R)>, z } #end\n"},
         {"thousands_of_all_kinds",
          "#for (I, 1, 400) #local P = <rand(R), rand(R), rand(R)> * 30;\n"
-         "union { sphere { 0, 0.4 } cylinder { 0, <1, 1, 0>, 0.2 } box { 0, <1, 0.5, 0.3> rotate 30 * I } box { 1, 1.5 } disc { <0, 2, 0>, <1, 1, 0.2>, 0.7, 0.2 }\n"
-         "sphere { 0, 1 clipped_by { box { -0.4, 2 } } } triangle { x, 2 * y, z } polygon { 4, <0, 0, 0>, <1, 0, 0>, <1, 1, 0>, <0, 0, 0> rotate 70 * y }\n"
-         "#if (mod(I, 10) = 0) torus { 0.6, 0.2 rotate 40 * x * I } #end rotate 17 * I translate P } #end plane { y, -1 } plane { <1, 2, 0.5>, -40 }\n"},
+         "union { sphere { 0, 0.4 } cylinder { 0, <1, 1, 0>, 0.2 } box { 0, <1, 0.5, 0.3> rotate 30 * I } box { 1, 1.5 "
+         "} disc { <0, 2, 0>, <1, 1, 0.2>, 0.7, 0.2 }\n"
+         "sphere { 0, 1 clipped_by { box { -0.4, 2 } } } triangle { x, 2 * y, z } polygon { 4, <0, 0, 0>, <1, 0, 0>, "
+         "<1, 1, 0>, <0, 0, 0> rotate 70 * y }\n"
+         "#if (mod(I, 10) = 0) torus { 0.6, 0.2 rotate 40 * x * I } #end rotate 17 * I translate P } #end plane { y, "
+         "-1 } plane { <1, 2, 0.5>, -40 }\n"},
     };
     return scenes;
 }
@@ -144,8 +153,9 @@ TEST_P(PacketsAgree, OnTheNearest) {
             const Interval range = p.ranges[std::size_t(i)];
             const auto expected = truth().nearest(ray, range);
             hits += expected.has_value();
-            ASSERT_TRUE(same(hit_of(got, i), expected)) << "packet " << n << ", lane " << i << ", " << text(ray, range) << ": "
-                                                        << text(hit_of(got, i)) << " instead of " << text(expected);
+            ASSERT_TRUE(same(hit_of(got, i), expected))
+                << "packet " << n << ", lane " << i << ", " << text(ray, range) << ": " << text(hit_of(got, i))
+                << " instead of " << text(expected);
         }
     }
     if (!scene_.objects.empty()) {
@@ -164,7 +174,8 @@ TEST_P(PacketsAgree, OnWhatIsOccluded) {
         for (std::size_t i = 0; i < kLanes; ++i) {
             if (!(p.active >> i & 1)) continue;
             const Interval range = p.ranges[i];
-            ASSERT_EQ(got >> i & 1, unsigned{truth().occluded(p.rays[i], range)}) << "packet " << n << ", lane " << i << ", " << text(p.rays[i], range);
+            ASSERT_EQ(got >> i & 1, unsigned{truth().occluded(p.rays[i], range)})
+                << "packet " << n << ", lane " << i << ", " << text(p.rays[i], range);
         }
     }
 }
@@ -175,17 +186,21 @@ TEST_P(PacketsAgree, OnTheirOwnSingleRays) {
     EXPECT_EQ(agreement.differences, 0u) << agreement.first;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, PacketsAgree, testing::ValuesIn(all_scenes()), [](const auto& of) { return of.param.name; });
+INSTANTIATE_TEST_SUITE_P(Scenes, PacketsAgree, testing::ValuesIn(all_scenes()),
+                         [](const auto& of) { return of.param.name; });
 
 // ---- Filtered shadows -----------------------------------------------------------------------------------------------
 
 /// Opaque and clear things, some without a shadow, and a mesh whose faces have their own texture.
 const std::string kClear =
     "#declare Glass = texture { pigment { rgbf <1, 0.8, 0.6, 0.7> } }\n"
-    "#for (I, 1, 150) sphere { <rand(R), rand(R), rand(R)> * 10, 0.1 + 0.4 * rand(R) #if (mod(I, 2)) texture { Glass } #end\n"
+    "#for (I, 1, 150) sphere { <rand(R), rand(R), rand(R)> * 10, 0.1 + 0.4 * rand(R) #if (mod(I, 2)) texture { Glass } "
+    "#end\n"
     "#if (mod(I, 7) = 0) no_shadow #end } #end\n"
-    "#for (I, 1, 20) torus { 0.6, 0.2 rotate 40 * x * I translate <rand(R), rand(R), rand(R)> * 10 #if (mod(I, 2)) texture { Glass } #end } #end\n"
-    "mesh { #for (I, 1, 80) #local P = <rand(R), rand(R), rand(R)> * 10; triangle { P, P + <rand(R), 1, rand(R)>, P + <1, rand(R), -rand(R)>\n"
+    "#for (I, 1, 20) torus { 0.6, 0.2 rotate 40 * x * I translate <rand(R), rand(R), rand(R)> * 10 #if (mod(I, 2)) "
+    "texture { Glass } #end } #end\n"
+    "mesh { #for (I, 1, 80) #local P = <rand(R), rand(R), rand(R)> * 10; triangle { P, P + <rand(R), 1, rand(R)>, P + "
+    "<1, rand(R), -rand(R)>\n"
     "#if (mod(I, 2)) texture { Glass } #end } #end pigment { rgb 1 } }\n";
 
 /// What a shadow ray meets, found by asking every primitive.
@@ -199,7 +214,8 @@ Met met_by(const Scene& scene, const PrimitiveTester& tester, const Ray& ray, In
         const Primitive p = tester.primitives()[i];
         const Object& object = scene.objects[p.object];
         std::uint32_t material = object.material;
-        if (object.kind == ShapeKind::mesh && scene.meshes[object.shape].faces[p.part].material != Mesh::kObjectMaterial)
+        if (object.kind == ShapeKind::mesh &&
+            scene.meshes[object.shape].faces[p.part].material != Mesh::kObjectMaterial)
             material = scene.meshes[object.shape].faces[p.part].material;
         (lets_light_through(scene.materials[material].pigment) ? met.clear : met.opaque) = true;
     }
@@ -228,7 +244,8 @@ TEST(PacketObstacles, SayWhichRaysAreBlockedAndWhichMeetSomethingClear) {
                 continue;
             }
             ASSERT_EQ(is_clear, truth.clear) << "packet " << n << ", lane " << i << ", " << text(p.rays[i], range);
-            ASSERT_EQ(is_blocked, truth.opaque && !truth.clear) << "packet " << n << ", lane " << i << ", " << text(p.rays[i], range);
+            ASSERT_EQ(is_blocked, truth.opaque && !truth.clear)
+                << "packet " << n << ", lane " << i << ", " << text(p.rays[i], range);
             ++(is_clear ? clear : is_blocked ? blocked : none);
         }
     }
@@ -240,10 +257,13 @@ TEST(PacketObstacles, SayWhichRaysAreBlockedAndWhichMeetSomethingClear) {
 
 TEST(PacketObstacles, RaysTogetherArePassedOnOnlyForSomethingClear) {
     // All eight the same way, over opaque and clear spheres in rows: no lane is alone.
-    const Scene scene = staged("#for (I, 0, 7) sphere { <I, 0, 0>, 0.3 #if (mod(I, 2)) pigment { rgbt 0.5 } #end } #if (I > 3) sphere { <I, 0, 4>, 0.3 } #end #end\n");
+    const Scene scene = staged(
+        "#for (I, 0, 7) sphere { <I, 0, 0>, 0.3 #if (mod(I, 2)) pigment { rgbt 0.5 } #end } #if (I > 3) sphere { <I, "
+        "0, 4>, 0.3 } #end #end\n");
     const PacketIntersector intersector(scene);
     Lanes<Ray> rays;
-    for (std::size_t i = 0; i < kLanes; ++i) rays[i] = {{Real(i) + Real(0.01), Real(0.02), -5}, glm::normalize(Vec3(Real(0.001), Real(0.001), 1))};
+    for (std::size_t i = 0; i < kLanes; ++i)
+        rays[i] = {{Real(i) + Real(0.01), Real(0.02), -5}, glm::normalize(Vec3(Real(0.001), Real(0.001), 1))};
     const Obstacles all = intersector.obstacles(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(100.0)});
     EXPECT_EQ(all.opaque.bits(), 0b01010101u);
     EXPECT_EQ(all.clear.bits(), 0b10101010u);
@@ -257,8 +277,9 @@ TEST(PacketObstacles, RaysTogetherArePassedOnOnlyForSomethingClear) {
 // ---- Rays and none --------------------------------------------------------------------------------------------------
 
 TEST(PacketDirections, GroupRaysOfOneWay) {
-    const Lanes<Ray> rays{Ray{Vec3(0), {1, 2, 3}}, Ray{Vec3(0), {-1, 2, 3}}, Ray{Vec3(0), {1, 2, 3}},  Ray{Vec3(0), {0, 2, 3}},
-                          Ray{Vec3(0), {3, 2, 1}}, Ray{Vec3(0), {1, 3, 2}},  Ray{Vec3(0), {-0.0, 1, 2}}, Ray{Vec3(0), {2, 2, 2}}};
+    const Lanes<Ray> rays{Ray{Vec3(0), {1, 2, 3}},    Ray{Vec3(0), {-1, 2, 3}}, Ray{Vec3(0), {1, 2, 3}},
+                          Ray{Vec3(0), {0, 2, 3}},    Ray{Vec3(0), {3, 2, 1}},  Ray{Vec3(0), {1, 3, 2}},
+                          Ray{Vec3(0), {-0.0, 1, 2}}, Ray{Vec3(0), {2, 2, 2}}};
     const Directions directions(together(rays).direction);
     EXPECT_EQ(directions.like_the_first(0b11111111), 0b00000101u);
     EXPECT_EQ(directions.like_the_first(0b11111010), 0b00000010u);
@@ -273,20 +294,27 @@ TEST(PacketDirections, GroupRaysOfOneWay) {
 
 TEST(PacketIntersectors, MissWhatIsNoRay) {
     // Whose answers are NaN must not be found, nor make the others miss.
-    const Scene scene = staged(hard_scenes()[3].text + "box { 1, 2 rotate 10 } torus { 1, 0.2 } disc { 0, y, 1 } quadric { <1, 1, 1>, <0, 0, 0>, <0, 0, 0>, -1 }\n");
+    const Scene scene = staged(
+        hard_scenes()[3].text +
+        "box { 1, 2 rotate 10 } torus { 1, 0.2 } disc { 0, y, 1 } quadric { <1, 1, 1>, <0, 0, 0>, <0, 0, 0>, -1 }\n");
     const PacketIntersector intersector(scene);
     const Real nan = std::nan("");
     const Vec3 origin(5, 5, -9), direction = glm::normalize(Vec3(Real(0.01), Real(0.02), 1));
-    for (const Ray& none : {Ray{origin, Vec3(nan)}, Ray{Vec3(nan), direction}, Ray{origin, {nan, 0, 1}}, Ray{{0, nan, -9}, direction},
-                            Ray{origin, Vec3(0)}, Ray{origin, Vec3(-0.0)}, Ray{origin, {0, 0, kInfinity}}, Ray{{0, -kInfinity, 0}, direction}}) {
+    for (const Ray& none : {Ray{origin, Vec3(nan)}, Ray{Vec3(nan), direction}, Ray{origin, {nan, 0, 1}},
+                            Ray{{0, nan, -9}, direction}, Ray{origin, Vec3(0)}, Ray{origin, Vec3(-0.0)},
+                            Ray{origin, {0, 0, kInfinity}}, Ray{{0, -kInfinity, 0}, direction}}) {
         Lanes<Ray> rays;
-        for (std::size_t i = 0; i < kLanes; ++i) rays[i] = i % 3 == 1 ? none : Ray{origin + Vec3(Real(i) * Real(0.1)), direction};
+        for (std::size_t i = 0; i < kLanes; ++i)
+            rays[i] = i % 3 == 1 ? none : Ray{origin + Vec3(Real(i) * Real(0.1)), direction};
         const Hits hits = intersector.nearest(together(rays), Mask::of(kAllLanes), {Reals(1e-4), Reals(1e7)});
         std::uint32_t last = kNone;
-        const unsigned blocked = intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(1e-3), Reals(1e7)}, last).bits();
+        const unsigned blocked =
+            intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(1e-3), Reals(1e7)}, last).bits();
         for (std::size_t i = 0; i < kLanes; ++i) {
-            EXPECT_TRUE(same(hit_of(hits, int(i)), intersector.single().nearest(rays[i], {Real(1e-4), Real(1e7)}))) << text(rays[i], {});
-            EXPECT_EQ(blocked >> i & 1, unsigned{intersector.single().occluded(rays[i], {Real(1e-3), Real(1e7)})}) << text(rays[i], {});
+            EXPECT_TRUE(same(hit_of(hits, int(i)), intersector.single().nearest(rays[i], {Real(1e-4), Real(1e7)})))
+                << text(rays[i], {});
+            EXPECT_EQ(blocked >> i & 1, unsigned{intersector.single().occluded(rays[i], {Real(1e-3), Real(1e7)})})
+                << text(rays[i], {});
         }
     }
 }
@@ -299,8 +327,10 @@ TEST(PacketIntersectors, NobodyAsksNobodyIsAnswered) {
     std::uint32_t last = kNone;
     EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}).are, 0u);
     EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}, last).any());
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(-1.0)}, last).any()) << "an empty range";
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(std::nan(""))}, last).any());
+    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(-1.0)}, last).any())
+        << "an empty range";
+    EXPECT_FALSE(
+        intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(std::nan(""))}, last).any());
     EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0b1), {Reals(0.0), Reals(100.0)}).are, 1u) << "one ray";
 }
 

@@ -27,13 +27,14 @@ template <class Expected>
 void expect_lanes(const char* what, Reals got, Expected expected) {
     const Spread lanes(got);
     for (std::size_t i = 0; i < kLanes; ++i)
-        EXPECT_TRUE(same(lanes[int(i)], expected(i))) << what << ", lane " << i << ": " << lanes[int(i)] << " instead of "
-                                                      << expected(i);
+        EXPECT_TRUE(same(lanes[int(i)], expected(i)))
+            << what << ", lane " << i << ": " << lanes[int(i)] << " instead of " << expected(i);
 }
 
 template <class Expected>
 void expect_mask(const char* what, Mask got, Expected expected) {
-    for (std::size_t i = 0; i < kLanes; ++i) EXPECT_EQ(got.bits() >> i & 1, unsigned{expected(i)}) << what << ", lane " << i;
+    for (std::size_t i = 0; i < kLanes; ++i)
+        EXPECT_EQ(got.bits() >> i & 1, unsigned{expected(i)}) << what << ", lane " << i;
 }
 
 TEST(Masks, AreTheirBits) {
@@ -128,9 +129,12 @@ TEST(Power, IsThatOfSingleNumbersToFiveUnitsInTheLastPlace) {
     const auto unit = [&] { return double(bits() >> 11) * 0x1p-53; };
     int asked = 0, floats_differ = 0;
     for (int n = 0; n < 20'000; ++n) {
-        const double exponent = n % 3 == 0 ? std::exp(16 * unit() - 8) : n % 3 == 1 ? double(bits() % 200) : 1 / (0.001 + unit());
+        const double exponent = n % 3 == 0   ? std::exp(16 * unit() - 8)
+                                : n % 3 == 1 ? double(bits() % 200)
+                                             : 1 / (0.001 + unit());
         Lanes<double> base;
-        for (double& x : base) x = n % 2 ? unit() + 1e-300 : 1 - 0.01 * unit();  // cosines near 1 are what highlights ask
+        for (double& x : base)
+            x = n % 2 ? unit() + 1e-300 : 1 - 0.01 * unit();  // cosines near 1 are what highlights ask
         const unsigned lanes = n % 4 ? kAllLanes : unsigned(bits()) & kAllLanes;
         const Spread got(power(Mask::of(lanes), together(base), exponent));
         for (std::size_t i = 0; i < kLanes; ++i) {

@@ -37,19 +37,22 @@ const std::string kClipped =
     "polygon { 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> clipped_by { sphere { 0, 1.1 } } }\n"
     "triangle { <-1, -1, 0>, <1, -1, 0.2>, <0, 1, 0> clipped_by { box { -0.5, 0.5 } } }\n"
     "smooth_triangle { <-1, -1, 0>, z, <1, -1, 0.2>, x, <0, 1, 0>, y clipped_by { sphere { 0, 0.6 } } }\n"
-    "mesh { triangle { -x, x, y } triangle { -x, x, z } triangle { x, y, z } triangle { -x, y, z } clipped_by { box { -0.5, 0.5 inverse } } }\n";
+    "mesh { triangle { -x, x, y } triangle { -x, x, z } triangle { x, y, z } triangle { -x, y, z } clipped_by { box { "
+    "-0.5, 0.5 inverse } } }\n";
 
 /// Step 1 has to iterate for these, or asks a clip that has no packet test.
 const std::string kAlone =
     "torus { 1, 0.3 }\n"
     "sphere { 0, 1 clipped_by { torus { 1, 0.3 } } }\n"
-    "bicubic_patch { type 1 flatness 0 u_steps 3 v_steps 3 <0,0,0>,<1,0,1>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,1>,<2,1,0>,<3,1,1>,\n"
+    "bicubic_patch { type 1 flatness 0 u_steps 3 v_steps 3 "
+    "<0,0,0>,<1,0,1>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,1>,<2,1,0>,<3,1,1>,\n"
     "<0,2,0>,<1,2,1>,<2,2,2>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,1> }\n";
 
 /// Where an object's box has its corners, and the middles between them.
 Special special_of(const Scene& scene, Primitive p) {
     const Bounds b = bounds_of(scene, p);
-    if (!b.is_finite()) return {{Vec3(0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}}, 2};
+    if (!b.is_finite())
+        return {{Vec3(0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}}, 2};
     const Vec3 middle = Real(0.5) * (b.min + b.max), half = Real(0.5) * (b.max - b.min);
     Special special{{middle}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, half}, glm::length(half)};
     for (int corner = 0; corner < 27; ++corner)
@@ -63,9 +66,8 @@ void expect_same(const Scene& scene, Primitive p) {
         fmt::format("object {}, part {}", p.object, p.part), special_of(scene, p),
         [&](const Rays& rays, const Span& span, int axis) {
             std::optional<ShearedRays> sheared;
-            return intersect_placed(scene, object, p.part, rays, span, [&]() -> const ShearedRays& {
-                return sheared.emplace(rays, axis);
-            });
+            return intersect_placed(scene, object, p.part, rays, span,
+                                    [&]() -> const ShearedRays& { return sheared.emplace(rays, axis); });
         },
         [&](const Ray& ray, Interval range) { return intersect_part(scene, object, p.part, ray, range); },
         [](const Rays&, const Roots&, const Ray&, const Root&, int) {}, 1200);
@@ -86,14 +88,17 @@ INSTANTIATE_TEST_SUITE_P(All, PlacedObjects, testing::Values(kMoved, kClipped),
 
 TEST(Placed, MovedAndClippedIsWhatTheTextsHold) {
     const Scene moved = staged(kMoved), clipped = staged(kClipped);
-    EXPECT_GE(std::count_if(moved.objects.begin(), moved.objects.end(), [](const Object& o) { return o.transform != kNone; }), 6)
+    EXPECT_GE(
+        std::count_if(moved.objects.begin(), moved.objects.end(), [](const Object& o) { return o.transform != kNone; }),
+        6)
         << "the reader works most transforms into the numbers of shapes: here are some that it cannot";
     for (const Object& o : clipped.objects) EXPECT_NE(o.clip, kNone);
 }
 
 TEST(Placed, WhoIteratesIsAskedRayByRay) {
     const Scene scene = staged(kAlone);
-    for (const Object& object : scene.objects) EXPECT_FALSE(has_packet_test(scene, object)) << "kind " << int(object.kind);
+    for (const Object& object : scene.objects)
+        EXPECT_FALSE(has_packet_test(scene, object)) << "kind " << int(object.kind);
 }
 
 TEST(Placed, InsideOfClipsIsStep1s) {
@@ -108,7 +113,8 @@ TEST(Placed, InsideOfClipsIsStep1s) {
                 const unsigned got = inside(scene, clip, together(at).origin).bits();
                 for (std::size_t i = 0; i < kLanes; ++i) {
                     const bool truth = rays::inside(scene, clip, at[i].origin);
-                    ASSERT_EQ(got >> i & 1, unsigned{truth}) << "kind " << int(clip.kind) << " at " << text(at[i].origin);
+                    ASSERT_EQ(got >> i & 1, unsigned{truth})
+                        << "kind " << int(clip.kind) << " at " << text(at[i].origin);
                     ++(truth ? in : out);
                 }
             }

@@ -64,7 +64,8 @@ inline bool same(const std::optional<Root>& a, const std::optional<Root>& b) {
     return same(a->t, b->t) && same(a->uv.x, b->uv.x) && same(a->uv.y, b->uv.y) && a->part == b->part;
 }
 inline std::string text(const std::optional<Root>& root) {
-    return root ? fmt::format("t {:.17g} uv {:.17g} {:.17g} part {}", root->t, root->uv.x, root->uv.y, root->part) : "miss";
+    return root ? fmt::format("t {:.17g} uv {:.17g} {:.17g} part {}", root->t, root->uv.x, root->uv.y, root->part)
+                : "miss";
 }
 
 /// Packets of hard rays: roots(rays, span, longest axis) must be what root(ray, range) is, bit by bit. `hit` is called
@@ -85,8 +86,8 @@ void expect_same_roots(const std::string& name, const Special& special, RootsOf 
             std::optional<Root> got;
             if (roots.is.bits() >> i & 1) got = Root{t[i], {u[i], v[i]}, static_cast<std::uint32_t>(part[i])};
             const std::optional<Root> truth = root_of(ray, range);
-            ASSERT_TRUE(same(got, truth)) << name << ", packet " << n << ", lane " << i << ", " << text(ray, range) << ": "
-                                          << text(got) << " instead of " << text(truth);
+            ASSERT_TRUE(same(got, truth)) << name << ", packet " << n << ", lane " << i << ", " << text(ray, range)
+                                          << ": " << text(got) << " instead of " << text(truth);
             if (!truth) continue;
             ++hits;
             ASSERT_NO_FATAL_FAILURE(hit(rays, roots, ray, *truth, i));

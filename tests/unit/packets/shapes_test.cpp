@@ -28,7 +28,8 @@ void expect_same(const std::string& name, const Shape& shape, const Special& spe
 }
 
 TEST(PacketShapes, Spheres) {
-    for (const Sphere& s : {Sphere{Vec3(0), 1}, Sphere{{1, -2, 3}, Real(0.1)}, Sphere{{1e6, 0, -1e6}, 3}, Sphere{{0, -1e6, 0}, 1e6}}) {
+    for (const Sphere& s :
+         {Sphere{Vec3(0), 1}, Sphere{{1, -2, 3}, Real(0.1)}, Sphere{{1e6, 0, -1e6}, 3}, Sphere{{0, -1e6, 0}, 1e6}}) {
         Special special{{s.center}, {}, s.radius};
         for (int a = 0; a < 3; ++a) {
             Vec3 d(0);
@@ -42,9 +43,11 @@ TEST(PacketShapes, Spheres) {
 }
 
 TEST(PacketShapes, Planes) {
-    for (const Plane& p : {Plane{{0, 1, 0}, 0}, Plane{{0, 0, -1}, 2}, Plane{glm::normalize(Vec3(1, 2, -3)), Real(0.3)}}) {
+    for (const Plane& p :
+         {Plane{{0, 1, 0}, 0}, Plane{{0, 0, -1}, 2}, Plane{glm::normalize(Vec3(1, 2, -3)), Real(0.3)}}) {
         const Vec3 along = glm::cross(p.normal, Vec3(Real(0.3), 1, Real(0.2)));
-        expect_same("plane", p, {{p.offset * p.normal, p.offset * p.normal + along}, {p.normal, along, {1, 0, 0}}}, kNoNormal);
+        expect_same("plane", p, {{p.offset * p.normal, p.offset * p.normal + along}, {p.normal, along, {1, 0, 0}}},
+                    kNoNormal);
     }
 }
 
@@ -52,7 +55,8 @@ TEST(PacketShapes, Discs) {
     const Vec3 tilted = glm::normalize(Vec3(1, 1, Real(0.2)));
     for (const Disc& d : {Disc{{0, 0, 0}, {0, 1, 0}, 1, 0}, Disc{{1, 2, 3}, tilted, 1, Real(0.5)}}) {
         const Vec3 u = glm::normalize(glm::cross(d.normal, Vec3(1, 0, Real(0.1))));
-        expect_same("disc", d, {{d.center, d.center + d.radius * u, d.center - d.hole_radius * u}, {d.normal, u}}, kNoNormal);
+        expect_same("disc", d, {{d.center, d.center + d.radius * u, d.center - d.hole_radius * u}, {d.normal, u}},
+                    kNoNormal);
     }
 }
 
@@ -68,8 +72,10 @@ Special special_of(const std::vector<Vec3>& corners) {
 }
 
 TEST(PacketShapes, TrianglesAlsoThroughTheirEdgesAndCorners) {
-    for (const Triangle& t : {Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Triangle{{1, 2, 3}, {2, Real(2.5), 3}, {1, 3, Real(4.2)}},
-                              Triangle{{-500, 0, 0}, {500, Real(0.001), 0}, {0, 0, 1}}, Triangle{{1e5, 1e5, 0}, {1e5 + 1, 1e5, 0}, {1e5, 1e5, 1}}})
+    for (const Triangle& t :
+         {Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Triangle{{1, 2, 3}, {2, Real(2.5), 3}, {1, 3, Real(4.2)}},
+          Triangle{{-500, 0, 0}, {500, Real(0.001), 0}, {0, 0, 1}},
+          Triangle{{1e5, 1e5, 0}, {1e5 + 1, 1e5, 0}, {1e5, 1e5, 1}}})
         expect_same_roots(
             "triangle", special_of({t.a, t.b, t.c}),
             [&](const Rays& rays, const Span& span, int axis) { return ShearedRays(rays, axis).intersect(t, span); },
@@ -82,9 +88,11 @@ TEST(PacketShapes, TrianglesWithoutAreaAreMissedAlike) {
     for (int n = 0; n < 500; ++n) {
         const EightQuestions packet = source.next();
         for (const Triangle& t : {line, point}) {
-            const Roots roots = ShearedRays(together(packet.rays), packet.longest_axis).intersect(t, together(packet.ranges));
+            const Roots roots =
+                ShearedRays(together(packet.rays), packet.longest_axis).intersect(t, together(packet.ranges));
             for (std::size_t i = 0; i < kLanes; ++i)
-                ASSERT_EQ(roots.is.bits() >> i & 1, unsigned{intersect(t, packet.rays[i], packet.ranges[i]).has_value()})
+                ASSERT_EQ(roots.is.bits() >> i & 1,
+                          unsigned{intersect(t, packet.rays[i], packet.ranges[i]).has_value()})
                     << text(packet.rays[i], packet.ranges[i]);
         }
     }
@@ -118,7 +126,8 @@ TEST(PacketShapes, FacesOfMeshesWithTheirCulling) {
                 [&](const Rays& rays, const Span& span, int axis) {
                     return intersect(mesh, face, rays, ShearedRays(rays, axis), span);
                 },
-                [&](const Ray& ray, Interval range) { return rays::intersect(mesh, face, ray, range); }, kNoNormal, 1000);
+                [&](const Ray& ray, Interval range) { return rays::intersect(mesh, face, ray, range); }, kNoNormal,
+                1000);
         }
     }
 }
@@ -134,7 +143,9 @@ TEST(PacketShapes, InterpolatedNormals) {
     const auto check = [&] {
         expect_same_roots(
             "smooth triangle", special_of({t.triangle.a, t.triangle.b, t.triangle.c}),
-            [&](const Rays& rays, const Span& span, int axis) { return ShearedRays(rays, axis).intersect(t.triangle, span); },
+            [&](const Rays& rays, const Span& span, int axis) {
+                return ShearedRays(rays, axis).intersect(t.triangle, span);
+            },
             [&](const Ray& ray, Interval range) { return rays::intersect(t, ray, range); }, normals(t), 1000);
     };
     check();
@@ -171,22 +182,29 @@ TEST(PacketShapes, PolygonsConcaveWithHolesAndIslands) {
 }
 
 TEST(PacketShapes, Boxes) {
-    for (const Box& b : {Box{Vec3(-1), Vec3(1)}, Box{{0, 0, 0}, {1, Real(0.001), 3}}, Box{{-1e5, 2, -3}, {1e5, 3, 4}}}) {
-        Special special = special_of({b.min, {b.max.x, b.min.y, b.min.z}, {b.max.x, b.max.y, b.min.z}, b.max, {b.min.x, b.max.y, b.max.z}});
+    for (const Box& b :
+         {Box{Vec3(-1), Vec3(1)}, Box{{0, 0, 0}, {1, Real(0.001), 3}}, Box{{-1e5, 2, -3}, {1e5, 3, 4}}}) {
+        Special special = special_of(
+            {b.min, {b.max.x, b.min.y, b.min.z}, {b.max.x, b.max.y, b.min.z}, b.max, {b.min.x, b.max.y, b.max.z}});
         special.points.insert(special.points.begin(), Real(0.5) * (b.min + b.max));
-        expect_same("box", b, special, with_normals(b, [](const Vec3s&, const Roots& roots) { return box_normal(roots.part); }));
+        expect_same("box", b, special,
+                    with_normals(b, [](const Vec3s&, const Roots& roots) { return box_normal(roots.part); }));
     }
 }
 
 TEST(PacketShapes, ConesAndCylindersAlsoAlongTheirGenerators) {
     const Vec3 tip(1, 3, Real(-0.5));
     for (const bool open : {false, true})
-        for (const Cone& c : {Cone{{0, 0, 0}, 1, {0, 1, 0}, 1, open}, Cone{{0, 0, 0}, 1, {0, 2, 0}, 0, open}, Cone{{0, 0, 0}, 0, {0, 2, 0}, 1, open},
-                              Cone{{0, 0, 0}, Real(0.7), tip, Real(0.2), open}, Cone{{0, 0, 0}, Real(0.2), tip, Real(0.7), open},
-                              Cone{{0, 0, 0}, Real(0.001), {100, 3, 5}, Real(0.001), open}, Cone{{1e6, 0, 0}, 1, {1e6, 1, 0}, Real(0.5), open},
+        for (const Cone& c : {Cone{{0, 0, 0}, 1, {0, 1, 0}, 1, open}, Cone{{0, 0, 0}, 1, {0, 2, 0}, 0, open},
+                              Cone{{0, 0, 0}, 0, {0, 2, 0}, 1, open}, Cone{{0, 0, 0}, Real(0.7), tip, Real(0.2), open},
+                              Cone{{0, 0, 0}, Real(0.2), tip, Real(0.7), open},
+                              Cone{{0, 0, 0}, Real(0.001), {100, 3, 5}, Real(0.001), open},
+                              Cone{{1e6, 0, 0}, 1, {1e6, 1, 0}, Real(0.5), open},
                               Cone{{0, 0, 0}, 1, {0, Real(1e-3), 0}, Real(0.9), open}}) {
             const Vec3 axis = c.cap - c.base, u = glm::normalize(glm::cross(axis, Vec3(Real(0.1), Real(0.2), 1)));
-            Special special{{c.base + Real(0.5) * axis, c.base, c.cap}, {axis, u, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, glm::length(axis) + c.base_radius};
+            Special special{{c.base + Real(0.5) * axis, c.base, c.cap},
+                            {axis, u, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                            glm::length(axis) + c.base_radius};
             for (const Vec3& d : {u, -u, glm::normalize(glm::cross(axis, u))}) {
                 special.points.push_back(c.base + c.base_radius * d);
                 special.points.push_back(c.cap + c.cap_radius * d);
@@ -212,12 +230,16 @@ Quadric quadric_of(const Vec3& squares, const Vec3& products, const Vec3& linear
 
 TEST(PacketShapes, Quadrics) {
     const Vec3 none(0);
-    Special special{{Vec3(0), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 1}}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}}, 2};
+    Special special{{Vec3(0), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 1}},
+                    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}},
+                    2};
     // Along the cone x^2 + z^2 = y^2: nothing but rounding is left of the square.
     for (int k = 0; k < 8; ++k) special.directions.push_back(Real(0.7) * Vec3(std::cos(Real(k)), 1, std::sin(Real(k))));
-    for (const Quadric& q : {quadric_of({1, 1, 1}, none, none, -1), quadric_of({1, 0, 1}, none, none, -1), quadric_of({1, -1, 1}, none, none, 0),
-                             quadric_of({1, 0, 1}, none, {0, -1, 0}, 0), quadric_of({1, 0, -1}, none, {0, -1, 0}, 0), quadric_of({1, -1, 1}, none, none, Real(0.3)),
-                             quadric_of({1, 2, Real(0.5)}, {Real(0.3), Real(-0.7), 1}, {Real(0.1), 2, -1}, -1), quadric_of(none, none, {1, 2, 3}, -1)})
+    for (const Quadric& q : {quadric_of({1, 1, 1}, none, none, -1), quadric_of({1, 0, 1}, none, none, -1),
+                             quadric_of({1, -1, 1}, none, none, 0), quadric_of({1, 0, 1}, none, {0, -1, 0}, 0),
+                             quadric_of({1, 0, -1}, none, {0, -1, 0}, 0), quadric_of({1, -1, 1}, none, none, Real(0.3)),
+                             quadric_of({1, 2, Real(0.5)}, {Real(0.3), Real(-0.7), 1}, {Real(0.1), 2, -1}, -1),
+                             quadric_of(none, none, {1, 2, 3}, -1)})
         expect_same("quadric", q, special, with_normals(q, [&](const Vec3s& p, const Roots&) { return normal(q, p); }));
 }
 

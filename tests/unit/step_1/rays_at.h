@@ -69,8 +69,15 @@ private:
     }
     Real distance() { return special_.size * std::pow(Real(10), below(2) ? Real(2) * unit() : Real(12) * unit() - 2); }
     Vec3 awkward() {
-        static const Real numbers[] = {0, Real(-0.0), 1, -1, std::numeric_limits<Real>::denorm_min(), kInfinity,
-                                       std::numeric_limits<Real>::quiet_NaN(), Real(1e18), Real(-1e150)};
+        static const Real numbers[] = {0,
+                                       Real(-0.0),
+                                       1,
+                                       -1,
+                                       std::numeric_limits<Real>::denorm_min(),
+                                       kInfinity,
+                                       std::numeric_limits<Real>::quiet_NaN(),
+                                       Real(1e18),
+                                       Real(-1e150)};
         const auto one = [&] { return numbers[below(std::size(numbers))]; };
         const Real x = one(), y = one();
         return {x, y, one()};
@@ -79,34 +86,59 @@ private:
     Ray ray() {
         const Vec3 middle = special_.points[0];
         switch (below(10)) {
-            case 0: case 1: {
+            case 0:
+            case 1: {
                 const Vec3 from = middle + in_cube(3 * special_.size);
                 return {from, middle + in_cube(special_.size) - from};
             }
-            case 2: { const Vec3 d = direction(); return {point() - distance() * d, d}; }
-            case 3: { const Vec3 d = special_direction(); return {point() - distance() * d, d}; }
-            case 4: { const Vec3 d = along_axes(); return {(below(2) ? point() : middle + in_cube(special_.size)) - distance() * d, d}; }
-            case 5: { const Vec3 from = point(); return {from, below(2) ? direction() : point() - from + Real(1e-9) * direction()}; }
-            case 6: return {middle + in_cube(Real(0.5) * special_.size), below(2) ? direction() : special_direction()};
+            case 2: {
+                const Vec3 d = direction();
+                return {point() - distance() * d, d};
+            }
+            case 3: {
+                const Vec3 d = special_direction();
+                return {point() - distance() * d, d};
+            }
+            case 4: {
+                const Vec3 d = along_axes();
+                return {(below(2) ? point() : middle + in_cube(special_.size)) - distance() * d, d};
+            }
+            case 5: {
+                const Vec3 from = point();
+                return {from, below(2) ? direction() : point() - from + Real(1e-9) * direction()};
+            }
+            case 6:
+                return {middle + in_cube(Real(0.5) * special_.size), below(2) ? direction() : special_direction()};
             case 7: {  // grazing: across the line from the middle to something special
                 const Vec3 at = point(), out = at - middle;
                 const Vec3 d = glm::cross(out, direction()) + Real(1e-30) * direction();
                 return {at - distance() * d, d};
             }
-            case 8: { const Vec3 from = point(); return {from - (below(2) ? Real(1) : unit()) * (point() - from), point() - from + Real(1e-12) * direction()}; }
-            default: break;
+            case 8: {
+                const Vec3 from = point();
+                return {from - (below(2) ? Real(1) : unit()) * (point() - from),
+                        point() - from + Real(1e-12) * direction()};
+            }
+            default:
+                break;
         }
-        return below(4) ? Ray{middle + in_cube(2 * special_.size), direction()} : Ray{awkward(), below(2) ? awkward() : direction()};
+        return below(4) ? Ray{middle + in_cube(2 * special_.size), direction()}
+                        : Ray{awkward(), below(2) ? awkward() : direction()};
     }
 
     Interval range() {
         const Real far = 4 * special_.size;
         switch (below(6)) {
-            case 0: return {Real(1e-4), Real(1e7)};
-            case 1: return {far * unit(), kInfinity};
-            case 2: return {0, far * unit()};
-            case 3: return {far * unit(), far * unit()};  // often empty
-            default: return {0, kInfinity};
+            case 0:
+                return {Real(1e-4), Real(1e7)};
+            case 1:
+                return {far * unit(), kInfinity};
+            case 2:
+                return {0, far * unit()};
+            case 3:
+                return {far * unit(), far * unit()};  // often empty
+            default:
+                return {0, kInfinity};
         }
     }
 

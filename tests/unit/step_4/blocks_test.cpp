@@ -41,7 +41,8 @@ struct Chance {
     Vec3 across(const Vec3& axis) { return glm::normalize(glm::cross(axis, direction())); }
 };
 
-// ---- What grazes a shape: rays in a tangent plane, moved in or out by very little ---------------------------------------
+// ---- What grazes a shape: rays in a tangent plane, moved in or out by very little
+// ---------------------------------------
 
 struct Tangent {
     Vec3 point, direction, outwards;
@@ -66,7 +67,9 @@ Tangent tangent(const Triangle& t, Chance& chance) {
     const Vec3 &from = corners[i], &to = corners[(i + 1) % 3], &opposite = corners[(i + 2) % 3];
     const Vec3 point = from + chance.unit() * (to - from);
     const Vec3 in = opposite - point;
-    return {point, chance.unit() < Real(0.5) ? chance.direction() : glm::cross(to - from, in) + chance.between(-1, 1) * in, -in};
+    return {point,
+            chance.unit() < Real(0.5) ? chance.direction() : glm::cross(to - from, in) + chance.between(-1, 1) * in,
+            -in};
 }
 
 Ray grazing(const Tangent& at, Real size, Chance& chance) {
@@ -78,7 +81,10 @@ Ray grazing(const Tangent& at, Real size, Chance& chance) {
 
 // ---- Special points, as the packets' tests have them ----------------------------------------------------------------
 
-Special special_of(const Sphere& s) { return {{s.center, s.center + Vec3(s.radius, 0, 0), s.center - Vec3(0, 0, s.radius)}, {{1, 0, 0}, {0, 1, 0}}, s.radius}; }
+Special special_of(const Sphere& s) {
+    return {
+        {s.center, s.center + Vec3(s.radius, 0, 0), s.center - Vec3(0, 0, s.radius)}, {{1, 0, 0}, {0, 1, 0}}, s.radius};
+}
 Special special_of(const Cone& c) {
     const Vec3 axis = c.cap - c.base, u = glm::normalize(glm::cross(axis, Vec3(Real(0.1), Real(0.2), 1)));
     return {{c.base + Real(0.5) * axis, c.base, c.cap, c.base + c.base_radius * u, c.cap - c.cap_radius * u},
@@ -86,7 +92,9 @@ Special special_of(const Cone& c) {
             glm::length(axis) + std::max(c.base_radius, c.cap_radius)};
 }
 Special special_of(const Triangle& t) {
-    return {{(t.a + t.b + t.c) / Real(3), t.a, t.b, t.c, Real(0.5) * (t.a + t.b)}, {t.b - t.a, t.c - t.b, {1, 0, 0}, {0, 1, 0}}, glm::length(t.b - t.a) + glm::length(t.c - t.a)};
+    return {{(t.a + t.b + t.c) / Real(3), t.a, t.b, t.c, Real(0.5) * (t.a + t.b)},
+            {t.b - t.a, t.c - t.b, {1, 0, 0}, {0, 1, 0}},
+            glm::length(t.b - t.a) + glm::length(t.c - t.a)};
 }
 
 /// Eight shapes in a block, and rays at each of them in turn. `BlockRay` is how the block sees a ray.
@@ -103,16 +111,18 @@ public:
             const Shape& aimed_at = shapes_[std::size_t(n) % shapes_.size()];
             Ray ray;
             Interval range{0, kInfinity};
-            std::visit([&](const auto& shape) {
-                const Special special = special_of(shape);
-                if (n % 3 == 0) {
-                    ray = grazing(tangent(shape, chance), special.size, chance);
-                } else {
-                    const auto question = RaysAt(special, chance.bits()).next();
-                    ray = question.ray;
-                    range = question.range;
-                }
-            }, aimed_at);
+            std::visit(
+                [&](const auto& shape) {
+                    const Special special = special_of(shape);
+                    if (n % 3 == 0) {
+                        ray = grazing(tangent(shape, chance), special.size, chance);
+                    } else {
+                        const auto question = RaysAt(special, chance.bits()).next();
+                        ray = question.ray;
+                        range = question.range;
+                    }
+                },
+                aimed_at);
             if (!is_ray(ray)) continue;
             ASSERT_NO_FATAL_FAILURE(ask(name, ray, range));
         }
@@ -183,8 +193,10 @@ TEST(Blocks, OfTrianglesHideNoRoot) {
     };
     using wide::TriangleBlock, wide::TriangleRay;
     expect_nothing_hidden<TriangleRay, TriangleBlock, AnyTriangle>("small triangles", at(Vec3(0), 3, 1), 0.5);
-    expect_nothing_hidden<TriangleRay, TriangleBlock, AnyTriangle>("far triangles", at(Vec3(1e6, -1e6, 1e6), 3, 1), 0.1);
-    expect_nothing_hidden<TriangleRay, TriangleBlock, AnyTriangle>("large ones among small ones", at(Vec3(0), 3, 1e4), 0.3);
+    expect_nothing_hidden<TriangleRay, TriangleBlock, AnyTriangle>("far triangles", at(Vec3(1e6, -1e6, 1e6), 3, 1),
+                                                                   0.1);
+    expect_nothing_hidden<TriangleRay, TriangleBlock, AnyTriangle>("large ones among small ones", at(Vec3(0), 3, 1e4),
+                                                                   0.3);
 }
 
 TEST(Blocks, OfSpheresHideNoRoot) {
@@ -194,7 +206,8 @@ TEST(Blocks, OfSpheresHideNoRoot) {
     using wide::SphereBlock, wide::SphereRay;
     expect_nothing_hidden<SphereRay, SphereBlock, AnySphere>("spheres", at(Vec3(0), Real(0.1), 1), 0.4);
     expect_nothing_hidden<SphereRay, SphereBlock, AnySphere>("tiny spheres", at(Vec3(0), Real(1e-6), Real(1e-3)), 0.4);
-    expect_nothing_hidden<SphereRay, SphereBlock, AnySphere>("far spheres", at(Vec3(1e6, 1e6, -1e6), Real(0.1), 1), 0.1);
+    expect_nothing_hidden<SphereRay, SphereBlock, AnySphere>("far spheres", at(Vec3(1e6, 1e6, -1e6), Real(0.1), 1),
+                                                             0.1);
     expect_nothing_hidden<SphereRay, SphereBlock, AnySphere>("spheres of all sizes", at(Vec3(0), Real(1e-3), 1e5), 0.1);
 }
 
@@ -203,40 +216,79 @@ Cone cone(Chance& c, const Vec3& base, Real length, Real base_radius, Real cap_r
 }
 
 TEST(Blocks, OfConesHideNoRoot) {
-    expect_cones("cones", [](Chance& c) -> Round { return cone(c, c.in_cube(3), c.between(Real(0.3), 2), c.unit(), c.unit()); }, 0.4);
-    expect_cones("cylinders", [](Chance& c) -> Round {
-        const Real radius = c.order(Real(0.01), 1);
-        return cone(c, c.in_cube(3), c.between(Real(0.3), 2), radius, radius);
-    }, 0.4);
-    expect_cones("cones with an apex", [](Chance& c) -> Round {
-        const bool at_base = c.unit() < Real(0.5);
-        return cone(c, c.in_cube(3), c.between(Real(0.3), 2), at_base ? 0 : c.unit(), at_base ? c.unit() : 0);
-    }, 0.4);
-    expect_cones("thin long cones", [](Chance& c) -> Round { return cone(c, c.in_cube(10), c.order(10, 1000), c.order(Real(1e-5), Real(1e-2)), c.order(Real(1e-5), Real(1e-2))); }, 0.4);
-    expect_cones("flat cones", [](Chance& c) -> Round { return cone(c, c.in_cube(3), c.order(Real(1e-6), Real(0.1)), c.unit(), c.unit()); }, 0.3);
-    expect_cones("cones a million away", [](Chance& c) -> Round { return cone(c, Vec3(1e6, -1e6, 1e6) + c.in_cube(3), c.between(Real(0.3), 2), c.unit(), c.unit()); }, 0.05);
-    expect_cones("cones of all sizes", [](Chance& c) -> Round { return cone(c, c.in_cube(3), c.order(Real(1e-3), 1e4), c.order(Real(1e-4), 1e3), c.order(Real(1e-4), 1e3)); }, 0.1);
-    expect_cones("cones along an axis", [](Chance& c) -> Round {
-        Vec3 axis(0);
-        axis[int(c.bits() % 3)] = c.between(-2, 2);
-        const Vec3 base = c.in_cube(3);
-        return Cone{base, c.unit(), base + axis, c.unit(), false};
-    }, 0.4);
+    expect_cones(
+        "cones", [](Chance& c) -> Round { return cone(c, c.in_cube(3), c.between(Real(0.3), 2), c.unit(), c.unit()); },
+        0.4);
+    expect_cones(
+        "cylinders",
+        [](Chance& c) -> Round {
+            const Real radius = c.order(Real(0.01), 1);
+            return cone(c, c.in_cube(3), c.between(Real(0.3), 2), radius, radius);
+        },
+        0.4);
+    expect_cones(
+        "cones with an apex",
+        [](Chance& c) -> Round {
+            const bool at_base = c.unit() < Real(0.5);
+            return cone(c, c.in_cube(3), c.between(Real(0.3), 2), at_base ? 0 : c.unit(), at_base ? c.unit() : 0);
+        },
+        0.4);
+    expect_cones(
+        "thin long cones",
+        [](Chance& c) -> Round {
+            return cone(c, c.in_cube(10), c.order(10, 1000), c.order(Real(1e-5), Real(1e-2)),
+                        c.order(Real(1e-5), Real(1e-2)));
+        },
+        0.4);
+    expect_cones(
+        "flat cones",
+        [](Chance& c) -> Round { return cone(c, c.in_cube(3), c.order(Real(1e-6), Real(0.1)), c.unit(), c.unit()); },
+        0.3);
+    expect_cones(
+        "cones a million away",
+        [](Chance& c) -> Round {
+            return cone(c, Vec3(1e6, -1e6, 1e6) + c.in_cube(3), c.between(Real(0.3), 2), c.unit(), c.unit());
+        },
+        0.05);
+    expect_cones(
+        "cones of all sizes",
+        [](Chance& c) -> Round {
+            return cone(c, c.in_cube(3), c.order(Real(1e-3), 1e4), c.order(Real(1e-4), 1e3), c.order(Real(1e-4), 1e3));
+        },
+        0.1);
+    expect_cones(
+        "cones along an axis",
+        [](Chance& c) -> Round {
+            Vec3 axis(0);
+            axis[int(c.bits() % 3)] = c.between(-2, 2);
+            const Vec3 base = c.in_cube(3);
+            return Cone{base, c.unit(), base + axis, c.unit(), false};
+        },
+        0.4);
 }
 
 TEST(Blocks, OfSpheresAmongConesHideNoRoot) {
-    expect_cones("spheres and cones", [](Chance& c) -> Round {
-        if (c.unit() < Real(0.5)) return Sphere{c.in_cube(3), c.order(Real(0.01), 1)};
-        return cone(c, c.in_cube(3), c.between(Real(0.3), 2), c.unit(), c.unit());
-    }, 0.4);
-    expect_cones("nothing but spheres", [](Chance& c) -> Round { return Sphere{c.in_cube(3), c.order(Real(0.01), 1)}; }, 0.4);
+    expect_cones(
+        "spheres and cones",
+        [](Chance& c) -> Round {
+            if (c.unit() < Real(0.5)) return Sphere{c.in_cube(3), c.order(Real(0.01), 1)};
+            return cone(c, c.in_cube(3), c.between(Real(0.3), 2), c.unit(), c.unit());
+        },
+        0.4);
+    expect_cones(
+        "nothing but spheres",
+        [](Chance& c) -> Round {
+            return Sphere{c.in_cube(3), c.order(Real(0.01), 1)};
+        },
+        0.4);
 }
 
 TEST(Blocks, OfThinConesLookAtMoreThanTheirBalls) {
     // A ball around a thin cone is mostly empty: the distance from the axis tells.
     Chance chance(5);
     wide::ConeBlock block;
-    for (int i = 0; i < wide::kWidth; ++i) wide::put(block, cone(chance, chance.in_cube(1), 4, Real(0.01), Real(0.01)), 0);
+    for (int i = 0; i < wide::kWidth; ++i)
+        wide::put(block, cone(chance, chance.in_cube(1), 4, Real(0.01), Real(0.01)), 0);
     int balls = 0, cones = 0;
     for (int n = 0; n < 2000; ++n) {
         const Vec3 from = chance.in_cube(6);
@@ -252,9 +304,11 @@ TEST(Blocks, KindsThatShareALeaf) {
     using wide::LeafKind;
     EXPECT_EQ(wide::together(LeafKind::spheres, LeafKind::cones), LeafKind::cones);
     EXPECT_EQ(wide::together(LeafKind::cones, LeafKind::spheres), LeafKind::cones);
-    for (const LeafKind same : {LeafKind::list, LeafKind::triangles, LeafKind::spheres, LeafKind::cones}) EXPECT_EQ(wide::together(same, same), same);
+    for (const LeafKind same : {LeafKind::list, LeafKind::triangles, LeafKind::spheres, LeafKind::cones})
+        EXPECT_EQ(wide::together(same, same), same);
     for (const LeafKind round : {LeafKind::spheres, LeafKind::cones})
-        for (const LeafKind other : {LeafKind::list, LeafKind::triangles}) EXPECT_EQ(wide::together(round, other), std::nullopt);
+        for (const LeafKind other : {LeafKind::list, LeafKind::triangles})
+            EXPECT_EQ(wide::together(round, other), std::nullopt);
 }
 
 }  // namespace
