@@ -25,18 +25,23 @@ struct Numbers {
 struct Chunk {
     Number of[kLanes];
     unsigned lanes;
+    bool is_run;  ///< eight that follow each other: they are loaded and stored at once
 
     /// The eight from `first` on, up to `end`. Lanes that are left over repeat the last one.
     Chunk(const Numbers& numbers, int first, int end) {
         const int count = std::min(kLanes, end - first);
         for (int i = 0; i < kLanes; ++i) of[i] = numbers.of[first + std::min(i, count - 1)];
         lanes = (1u << count) - 1;
+        is_run = count == kLanes;
+        for (int i = 1; i < kLanes; ++i) is_run &= of[i] == of[0] + i;
     }
     Reals load(const double* column) const {
+        if (is_run) return {_mm256_loadu_pd(column + of[0]), _mm256_loadu_pd(column + of[0] + 4)};
         return {_mm256_setr_pd(column[of[0]], column[of[1]], column[of[2]], column[of[3]]),
                 _mm256_setr_pd(column[of[4]], column[of[5]], column[of[6]], column[of[7]])};
     }
     Floats load(const float* column) const {
+        if (is_run) return _mm256_loadu_ps(column + of[0]);
         return _mm256_setr_ps(column[of[0]], column[of[1]], column[of[2]], column[of[3]], column[of[4]],
                               column[of[5]], column[of[6]], column[of[7]]);
     }
@@ -53,6 +58,13 @@ struct VectorColumns {
     double of[3][Block::kSize];
 
     Vec3s load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
+    void store(int first, const Vec3s& v) {
+        const auto put = [&](double* column, Reals r) {
+            _mm256_storeu_pd(column + first, r.lo);
+            _mm256_storeu_pd(column + first + 4, r.hi);
+        };
+        put(of[0], v.x), put(of[1], v.y), put(of[2], v.z);
+    }
     template <class Vectors>
     void set(Number n, const Vectors& v, int lane) {
         of[0][n] = v.x[lane];
@@ -91,6 +103,12 @@ struct LightColumns {
         for (int c = 0; c < 3; ++c) of[c][n] = light[c];
     }
     void store(const Chunk& chunk, unsigned lanes, const Radiances& light) {
+        if (chunk.is_run && lanes == kAllLanes) {
+            _mm256_storeu_ps(of[0] + chunk.of[0], light.r.v);
+            _mm256_storeu_ps(of[1] + chunk.of[0], light.g.v);
+            _mm256_storeu_ps(of[2] + chunk.of[0], light.b.v);
+            return;
+        }
         alignas(32) float v[3][kLanes];
         light.r.store(v[0]), light.g.store(v[1]), light.b.store(v[2]);
         each_lane(lanes, [&](int i) {

@@ -62,9 +62,10 @@ public:
     unsigned rays_that_meet(const wide::Node& node, unsigned child) const {
         __m256 near = lane_near_, far = lane_far_;
         for (int a = 0; a < 3; ++a) {
-            const __m256 lo = _mm256_broadcast_ss(&node.lo[a][child]), hi = _mm256_broadcast_ss(&node.hi[a][child]);
-            const __m256 to_near = (way_.forwards[a] ? lo : hi) - lane_near_origin_[a];
-            const __m256 to_far = (way_.forwards[a] ? hi : lo) - lane_far_origin_[a];
+            const float* near_plane = way_.forwards[a] ? &node.lo[a][child] : &node.hi[a][child];
+            const float* far_plane = way_.forwards[a] ? &node.hi[a][child] : &node.lo[a][child];
+            const __m256 to_near = _mm256_broadcast_ss(near_plane) - lane_near_origin_[a];
+            const __m256 to_far = _mm256_broadcast_ss(far_plane) - lane_far_origin_[a];
             near = _mm256_max_ps(near, to_near * lane_near_inverse_[a]);
             far = _mm256_min_ps(far, to_far * lane_far_inverse_[a]);
         }
@@ -114,12 +115,12 @@ public:
 
     /// A bit for each child whose box some ray may meet; where the first may enter, in `enters`.
     unsigned meets(const wide::Node& node, float* enters) const {
-        __m256 lo[3], hi[3];
+        __m256 near[3], far[3];
         for (int a = 0; a < 3; ++a) {
-            lo[a] = _mm256_load_ps(node.lo[a]);
-            hi[a] = _mm256_load_ps(node.hi[a]);
+            near[a] = _mm256_load_ps(way_.forwards[a] ? node.lo[a] : node.hi[a]);
+            far[a] = _mm256_load_ps(way_.forwards[a] ? node.hi[a] : node.lo[a]);
         }
-        return meets(lo, hi, enters);
+        return between(near, far, enters);
     }
 
     unsigned meets(const wide::SphereBlock& block) const {
@@ -129,7 +130,7 @@ public:
             lo[a] = _mm256_sub_ps(_mm256_load_ps(block.center[a]), wider);
             hi[a] = _mm256_add_ps(_mm256_load_ps(block.center[a]), wider);
         }
-        return meets(lo, hi, nullptr) & ((1u << block.count) - 1);
+        return meets(lo, hi) & ((1u << block.count) - 1);
     }
 
     unsigned meets(const wide::ConeBlock& block) const {
@@ -140,7 +141,7 @@ public:
             lo[a] = _mm256_sub_ps(_mm256_load_ps(block.around.center[a]), _mm256_add_ps(half, radius));
             hi[a] = _mm256_add_ps(_mm256_load_ps(block.around.center[a]), _mm256_add_ps(half, radius));
         }
-        return meets(lo, hi, nullptr) & ((1u << block.around.count) - 1);
+        return meets(lo, hi) & ((1u << block.around.count) - 1);
     }
 
     unsigned meets(const wide::TriangleBlock& block) const {
@@ -152,7 +153,7 @@ public:
             lo[a] = _mm256_sub_ps(_mm256_min_ps(p, _mm256_min_ps(q, r)), off);
             hi[a] = _mm256_add_ps(_mm256_max_ps(p, _mm256_max_ps(q, r)), off);
         }
-        return meets(lo, hi, nullptr) & ((1u << block.count) - 1);
+        return meets(lo, hi) & ((1u << block.count) - 1);
     }
 
 private:
@@ -192,15 +193,22 @@ private:
         return _mm256_xor_ps(largest(_mm256_xor_ps(f, sign), among), sign);
     }
 
-    unsigned meets(const __m256 (&lo)[3], const __m256 (&hi)[3], float* enters) const {
+    unsigned meets(const __m256 (&lo)[3], const __m256 (&hi)[3]) const {
+        __m256 near[3], far[3];
+        for (int a = 0; a < 3; ++a) {
+            near[a] = way_.forwards[a] ? lo[a] : hi[a];
+            far[a] = way_.forwards[a] ? hi[a] : lo[a];
+        }
+        return between(near, far, nullptr);
+    }
+
+    /// Eight boxes by their planes on the rays' near side and on their far side.
+    unsigned between(const __m256 (&near_planes)[3], const __m256 (&far_planes)[3], float* enters) const {
         __m256 near = near_, far = far_;
         for (int a = 0; a < 3; ++a) {
-            const __m256 to_near = _mm256_sub_ps(way_.forwards[a] ? lo[a] : hi[a], near_origin_[a]);
-            const __m256 to_far = _mm256_sub_ps(way_.forwards[a] ? hi[a] : lo[a], far_origin_[a]);
-            near = _mm256_max_ps(near, _mm256_min_ps(_mm256_mul_ps(to_near, inverse_min_[a]),
-                                                     _mm256_mul_ps(to_near, inverse_max_[a])));
-            far = _mm256_min_ps(far, _mm256_max_ps(_mm256_mul_ps(to_far, inverse_min_[a]),
-                                                   _mm256_mul_ps(to_far, inverse_max_[a])));
+            const __m256 to_near = near_planes[a] - near_origin_[a], to_far = far_planes[a] - far_origin_[a];
+            near = _mm256_max_ps(near, _mm256_min_ps(to_near * inverse_min_[a], to_near * inverse_max_[a]));
+            far = _mm256_min_ps(far, _mm256_max_ps(to_far * inverse_min_[a], to_far * inverse_max_[a]));
         }
         if (enters) _mm256_store_ps(enters, near);
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(near, far, _CMP_LE_OQ)));

@@ -36,14 +36,23 @@ Chords between_the_ends(Reals s0, Reals ds) {
     return chords;
 }
 
+/// Where the ray is flatter than the mantle, as most are: between the two roots.
+void cut_to_round_mantle(Chords& chords, Reals a, Reals b, Reals c) {
+    const RootPairs roots = quadratic_roots(a, b, c);
+    chords.are = chords.are & roots.are;
+    chords.start_at(roots.are, roots.first);
+    chords.stop_at(roots.are, roots.second);
+}
+
 void cut_to_the_mantle(Chords& chords, const Vec3s& from_axis, const Vec3s& across, Reals radius, Reals widening) {
     const Reals zero(0), across2 = dot(across, across), widening2 = widening * widening;
     const Reals b = dot(from_axis, across) - radius * widening;
     const Reals c = dot(from_axis, from_axis) - radius * radius;
     Reals a = across2 - widening2;
     a = select(abs(a) <= Reals(4 * kEpsilon) * (across2 + widening2), zero, a);
-    const Mask flat = a == zero, constant = flat & (b == zero), steep = a < zero, round = a > zero;
-
+    const Mask round = a > zero;
+    if (round.bits() == kAllLanes) return cut_to_round_mantle(chords, a, b, c);
+    const Mask flat = a == zero, constant = flat & (b == zero), steep = a < zero;
     RootPairs roots = quadratic_roots(a, b, c);
     const Mask at_apex = steep - roots.are;
     const Reals apex = -b / a;

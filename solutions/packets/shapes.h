@@ -186,11 +186,13 @@ struct RootPairs {
 inline RootPairs quadratic_roots(Reals a, Reals b, Reals c) {
     const Reals ac = a * c, zero(0);
     const Reals discriminant = fma(b, b, -ac) + fma(-a, c, ac);
+    const Mask are = discriminant >= zero;
+    if (!are.any()) return {are, zero, zero};
     const Reals q = -(b + copysign(sqrt(discriminant), b));
     const Mask at_zero = q == zero;
     const Reals t0 = select(at_zero, zero, q / a), t1 = select(at_zero, zero, c / q);
     const Mask ordered = t0 < t1;
-    return {(discriminant >= zero) - (at_zero & (a == zero)), select(ordered, t0, t1), select(ordered, t1, t0)};
+    return {are - (at_zero & (a == zero)), select(ordered, t0, t1), select(ordered, t1, t0)};
 }
 
 // ---- Cones and cylinders --------------------------------------------------------------------------------------------

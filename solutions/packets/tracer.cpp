@@ -1,5 +1,6 @@
 #include "packets/tracer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "packets/borders.h"
@@ -63,15 +64,21 @@ void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const 
 
 void Tracer::add_camera_rays(const Raster& raster, Block block, Vec2 offset, Frame& frame) const {
     Batch& batch = frame.batch;
+    std::fill(batch.weight, batch.weight + Block::kSize, 1.0f);
     for (int first = 0; first < Block::kSize; first += kLanes) {
         const Rays rays = camera_rays(scene_.camera, raster, block.column(first), block.row(first), offset);
+        if (block.column(first + 3) < raster.width && block.row(first + 4) < raster.height) {
+            batch.origin.store(batch.count, rays.origin);
+            batch.direction.store(batch.count, rays.direction);
+            for (int i = 0; i < kLanes; ++i) batch.pixel[batch.count++] = static_cast<Number>(first + i);
+            continue;
+        }
         const Spread3 origin(rays.origin), direction(rays.direction);
         for (int i = 0; i < kLanes; ++i) {
             if (block.column(first + i) >= raster.width || block.row(first + i) >= raster.height) continue;
             const auto n = static_cast<Number>(batch.count++);
             batch.origin.set(n, origin, i);
             batch.direction.set(n, direction, i);
-            batch.weight[n] = 1;
             batch.pixel[n] = static_cast<Number>(first + i);
         }
     }
@@ -108,6 +115,16 @@ Numbers Tracer::meet(Frame& f) const {
         const Hits hits = intersector_.nearest(f.batch.load(chunk), Mask::of(chunk.lanes),
                                                {Reals(kNearest), Reals(kFarthest)});
         each_lane(chunk.lanes & ~hits.are, [&](int i) { f.brought.set(chunk.of[i], scene_.background); });
+        if (chunk.is_run && hits.are == kAllLanes) {
+            const Number first = chunk.of[0];
+            std::copy(hits.t.lane, hits.t.lane + kLanes, f.distance + first);
+            f.point.store(first, hits.point.load());
+            f.normal.store(first, hits.normal.load());
+            std::copy(hits.object, hits.object + kLanes, f.object + first);
+            std::copy(hits.material, hits.material + kLanes, f.material + first);
+            for (const Number n : chunk.of) met.add(n);
+            return;
+        }
         each_lane(hits.are, [&](int i) {
             const Number n = chunk.of[i];
             met.add(n);
