@@ -163,6 +163,17 @@ TEST(PacketPictures, AreTheSameFromWhereFloatsEnd) {
                 {.raster = {9, 6}, .threads = 1});
 }
 
+TEST(PacketPictures, AreTheSameWhereThingsStandTooNearToCastAShadow) {
+    // 0.0005 from the light, and as near to what they would shade: shadow rays leave out 0.001 at both ends.
+    const Scene scene = staged(kHead +
+                               "light_source { <2, 3, -2>, rgb 1 } sphere { <2, 3, -2>, 0.0005 } plane { y, 0 }\n"
+                               "disc { <0, 0.0005, 0>, y, 0.5 pigment { rgb <1, 0, 0> } } sphere { <0, 1, 1>, 0.7 }");
+    const RenderOptions options{.raster = {40, 30}, .threads = 1};
+    expect_same_picture(scene, options);
+    const Film film = render(scene, options);
+    EXPECT_GT(film.at(20, 20)[0], 0.3f) << "the floor is lit";
+}
+
 TEST(PacketPictures, LeaveOddSettingsToSingleRays) {
     Scene scene = staged(kHead + "light_source { 5, rgb 1 } sphere { 0, 1 finish { reflection 0.5 } }");
     scene.settings.adc_bailout = -1;

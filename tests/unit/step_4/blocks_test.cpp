@@ -99,7 +99,7 @@ Special special_of(const Triangle& t) {
 
 /// Eight shapes in a block, and rays at each of them in turn. `BlockRay` is how the block sees a ray.
 template <class BlockRay, class Block, class Shape>
-class Blocks {
+class FilledBlock {
 public:
     void put(const Shape& shape) {
         std::visit([&](const auto& s) { wide::put(block_, s, 0); }, shape);
@@ -163,7 +163,7 @@ void expect_nothing_hidden(const std::string& name, Make make, double spares, in
     Chance chance(1);
     int roots = 0, misses = 0, spared = 0;
     for (int b = 0; b < blocks; ++b) {
-        Blocks<BlockRay, Block, Shape> block;
+        FilledBlock<BlockRay, Block, Shape> block;
         for (int i = 0; i < wide::kWidth - b % 3; ++i) block.put(make(chance));
         ASSERT_NO_FATAL_FAILURE(block.expect_nothing_hidden(name, chance, 600));
         roots += block.roots;
@@ -183,7 +183,16 @@ void expect_cones(const std::string& name, Make make, double spares) {
     expect_nothing_hidden<wide::SphereRay, wide::ConeBlock, Round>(name, make, spares);
 }
 
-TEST(Blocks, OfTrianglesHideNoRoot) {
+/// In double: the margins allow for what float does to a block and its ray, not for what it does to the root itself. In
+/// float the roots of rays from afar are off by as much.
+class BlocksHideNoRoot : public testing::Test {
+protected:
+    void SetUp() override {
+        if (sizeof(Real) < sizeof(double)) GTEST_SKIP() << "geometry is in float";
+    }
+};
+
+TEST_F(BlocksHideNoRoot, OfTriangles) {
     const auto at = [](Vec3 middle, Real spread, Real size) {
         return [=](Chance& c) -> AnyTriangle {
             const Vec3 p = middle + c.in_cube(spread);
@@ -199,7 +208,7 @@ TEST(Blocks, OfTrianglesHideNoRoot) {
                                                                    0.3);
 }
 
-TEST(Blocks, OfSpheresHideNoRoot) {
+TEST_F(BlocksHideNoRoot, OfSpheres) {
     const auto at = [](Vec3 middle, Real smallest, Real largest) {
         return [=](Chance& c) -> AnySphere { return Sphere{middle + c.in_cube(3), c.order(smallest, largest)}; };
     };
@@ -215,7 +224,7 @@ Cone cone(Chance& c, const Vec3& base, Real length, Real base_radius, Real cap_r
     return {base, base_radius, base + length * c.direction(), cap_radius, c.unit() < Real(0.3)};
 }
 
-TEST(Blocks, OfConesHideNoRoot) {
+TEST_F(BlocksHideNoRoot, OfCones) {
     expect_cones(
         "cones", [](Chance& c) -> Round { return cone(c, c.in_cube(3), c.between(Real(0.3), 2), c.unit(), c.unit()); },
         0.4);
@@ -267,7 +276,7 @@ TEST(Blocks, OfConesHideNoRoot) {
         0.4);
 }
 
-TEST(Blocks, OfSpheresAmongConesHideNoRoot) {
+TEST_F(BlocksHideNoRoot, OfSpheresAmongCones) {
     expect_cones(
         "spheres and cones",
         [](Chance& c) -> Round {
