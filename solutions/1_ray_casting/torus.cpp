@@ -21,20 +21,23 @@ struct Value {
 };
 
 /// The root of f between a and b, where f has different signs. Newton's method; a step that would leave the bracket or
-/// that shrinks too slowly (near a double root) is replaced by bisection (Press et al., Numerical Recipes, 9.4).
+/// that shrinks too slowly (near a double root) is replaced by bisection (after Press et al., Numerical Recipes, 9.4).
+/// From the middle of a bracket Newton's step may be half of it: the root may lie next to an end.
 template <class Function>
 Real bracketed_root(Function f, Real a, Real b, bool rising) {
-    const Real tolerance = kEpsilon * std::max(std::abs(a), std::abs(b));
-    Real t = a + (b - a) / 2, last_step = b - a;
+    // Closer to the root f is all rounding: its signs there mislead to bisect from the start.
+    const Real tolerance = 4 * kEpsilon * std::max(std::abs(a), std::abs(b));
+    Real t = a + (b - a) / 2, longest_step = (b - a) / 2;
     for (int i = 0; i < 200; ++i) {
         const Value value = f(t);
         if (value.f == 0) return t;
         ((value.f < 0) == rising ? a : b) = t;
-        Real next = t - value.f / value.slope;
-        if (!(next > a && next < b && 2 * std::abs(next - t) <= std::abs(last_step))) next = a + (b - a) / 2;
-        last_step = next - t;
-        t = next;
-        if (!(std::abs(last_step) > tolerance)) break;
+        const Real newton = t - value.f / value.slope, half = (b - a) / 2;
+        const bool fits = newton >= a && newton <= b && std::abs(newton - t) <= longest_step;
+        const Real step = fits ? std::abs(newton - t) : half;
+        t = fits ? newton : a + half;
+        longest_step = fits ? step / 2 : step;
+        if (!(step > tolerance)) break;
     }
     return t;
 }

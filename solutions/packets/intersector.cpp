@@ -12,8 +12,17 @@ using Way = PrimitiveTester::Way;
 /// What primitives are asked about.
 class PacketIntersector::Asked {
 public:
-    Asked(const Rays& rays_, const Span& span_, const Beam& beam)
-        : rays(rays_), active(beam.active()), span(span_), longest_axis_(beam.longest_axis()) {}
+    /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
+    Asked(const Rays& rays_, const Span& span_, const Beam& beam, const Mask& open, const Reals& nearest)
+        : rays(rays_), active(beam.active()), span(span_), open_(open), nearest_(nearest),
+          longest_axis_(beam.longest_axis()) {}
+
+    /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
+    /// of the primitive decides.
+    Span narrow_span() const {
+        const Reals just_above = nearest_ * Reals(1 + std::numeric_limits<Real>::epsilon());
+        return {span.near, select(open_, min(span.far, just_above), Reals(-kInfinity)), span.any};
+    }
 
     const ShearedRays& sheared() const {
         if (!sheared_) sheared_.emplace(rays, longest_axis_);
@@ -30,6 +39,8 @@ public:
     const Span span;
 
 private:
+    const Mask& open_;
+    const Reals& nearest_;
     int longest_axis_;
     mutable std::optional<ShearedRays> sheared_;
     mutable std::optional<SpreadRays> single_;
@@ -133,7 +144,7 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span)
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        const Asked asked(rays, span, beam);
+        const Asked asked(rays, span, beam, lanes, found.t);
         walk<true>(beam, [&](std::uint32_t primitive) {
             if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
             return false;
@@ -156,8 +167,8 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
     Mask blocked = Mask::of(0);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        const Asked asked(rays, span, beam);
         Mask open = lanes;
+        const Asked asked(rays, {span.near, span.far, true}, beam, open, span.far);
         const auto ask = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -184,8 +195,8 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
     const Mask asking = active & (span.near < span.far);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        const Asked asked(rays, span, beam);
         Mask open = lanes;
+        const Asked asked(rays, {span.near, span.far, true}, beam, open, span.far);
         walk<false>(beam, [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -232,7 +243,7 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
         case Way::other: break;
     }
     const Primitive p = hierarchy_->tester.primitives()[primitive];
-    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.span,
+    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.narrow_span(),
                             [&]() -> const ShearedRays& { return asked.sheared(); });
 }
 
@@ -335,6 +346,7 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
             break;
         }
         case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
+        case ShapeKind::torus: set_normals(unit(normal(s.tori[object.shape], point))); break;
         default: set_normals(unit(box_normal(found.part))); break;
     }
     each_lane(lanes.bits(), [&](int i) {

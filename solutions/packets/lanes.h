@@ -31,6 +31,7 @@ struct Mask {
 
     friend Mask operator&(Mask a, Mask b) { return {_mm256_and_pd(a.lo, b.lo), _mm256_and_pd(a.hi, b.hi)}; }
     friend Mask operator|(Mask a, Mask b) { return {_mm256_or_pd(a.lo, b.lo), _mm256_or_pd(a.hi, b.hi)}; }
+    friend Mask operator^(Mask a, Mask b) { return {_mm256_xor_pd(a.lo, b.lo), _mm256_xor_pd(a.hi, b.hi)}; }
     /// a, but where b.
     friend Mask operator-(Mask a, Mask b) { return {_mm256_andnot_pd(b.lo, a.lo), _mm256_andnot_pd(b.hi, a.hi)}; }
 };
@@ -80,6 +81,9 @@ inline Reals abs(Reals a) {
     const __m256d sign = _mm256_set1_pd(-0.0);
     return {_mm256_andnot_pd(sign, a.lo), _mm256_andnot_pd(sign, a.hi)};
 }
+/// As std::max and std::min: the first one when they are equal.
+inline Reals max(Reals a, Reals b) { return {_mm256_max_pd(b.lo, a.lo), _mm256_max_pd(b.hi, a.hi)}; }
+inline Reals min(Reals a, Reals b) { return {_mm256_min_pd(b.lo, a.lo), _mm256_min_pd(b.hi, a.hi)}; }
 /// |size| with the sign of `sign`.
 inline Reals copysign(Reals size, Reals sign) {
     const __m256d bit = _mm256_set1_pd(-0.0);

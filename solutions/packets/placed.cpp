@@ -79,7 +79,7 @@ Vec3s times(const Mat3& m, const Vec3s& v) {
 }
 
 bool has_packet_test(const Scene& scene, const Object& object) {
-    if (object.kind == ShapeKind::torus || object.kind == ShapeKind::bicubic_patch) return false;
+    if (object.kind == ShapeKind::bicubic_patch) return false;
     if (object.transform != kNone && is_faceted(object.kind)) return false;  // sheared in world space only
     if (object.clip == kNone) return true;
     const ClipList& clips = scene.clips[object.clip];

@@ -5,7 +5,7 @@
 
 namespace rays::packets {
 
-/// Can eight rays ask this object at once? Torus and patch iterate, each ray in its own way.
+/// Can eight rays ask this object at once? In a patch each ray goes its own way.
 bool has_packet_test(const Scene& scene, const Object& object);
 
 /// The smallest roots in the span that no clip cuts away. Of objects with a packet test; `sheared` is asked for flat ones
@@ -42,6 +42,7 @@ Roots intersect_shape(const Scene& scene, const Object& object, std::uint32_t pa
         case ShapeKind::disc: return intersect(scene.discs[shape], rays, span);
         case ShapeKind::cone: return intersect(scene.cones[shape], rays, span);
         case ShapeKind::quadric: return intersect(scene.quadrics[shape], rays, span);
+        case ShapeKind::torus: return intersect(scene.tori[shape], rays, span);
         default: return intersect(scene.boxes[shape], rays, span);
     }
 }
@@ -60,6 +61,7 @@ Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t p
     if (object.clip == kNone) return intersect_shape(scene, object, part, local, span, sheared);
     // As in step 1: a root that is cut away sends the question on behind it.
     Span rest = span;
+    rest.any = false;
     Mask open = Mask::of(kAllLanes);
     Roots unclipped = Roots::none();
     for (int i = 0; i < 1000 && open.any(); ++i) {
@@ -76,6 +78,7 @@ Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t p
         unclipped.part = select(inside_all, roots.part, unclipped.part);
         open = met - inside_all;
         rest.near = select(open, roots.t, rest.near);
+        rest.far = select(open, rest.far, Reals(-kInfinity));
     }
     return unclipped;
 }

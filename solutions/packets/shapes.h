@@ -13,6 +13,7 @@ namespace rays::packets {
 /// The part of the rays that counts: near < t < far.
 struct Span {
     Reals near, far;
+    bool any = false;  ///< where there are roots, any number in the span will do for t
     Mask contains(Reals t) const { return (near < t) & (t < far); }
 };
 
@@ -199,5 +200,10 @@ inline RootPairs quadratic_roots(Reals a, Reals b, Reals c) {
 
 Roots intersect(const Cone& cone, const Rays& rays, const Span& span);
 Vec3s normal(const Cone& cone, const Vec3s& point, Reals part);
+
+// ---- Tori -----------------------------------------------------------------------------------------------------------
+
+Roots intersect(const Torus& torus, const Rays& rays, const Span& span);
+Vec3s normal(const Torus& torus, const Vec3s& point);
 
 }  // namespace rays::packets

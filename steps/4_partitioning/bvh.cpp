@@ -1,4 +1,4 @@
-// Beyond the step: a bounding volume hierarchy with eight children a node. Boxes, triangles and spheres are tested
+// Beyond the step: a bounding volume hierarchy with eight children a node. Boxes, triangles, spheres and cones are tested
 // eight at once in float; they only decide whom to ask, and the shared test of a primitive, in `Real`, gives the
 // answer.
 #include <algorithm>

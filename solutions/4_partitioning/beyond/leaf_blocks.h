@@ -178,10 +178,14 @@ private:
 class SphereRay {
 public:
     SphereRay(const Ray& ray, Interval range) {
-        length_ = glm::length(ray.direction);
+        // Most directions have unit length, but for rounding that the margins allow for.
+        const Real length2 = glm::dot(ray.direction, ray.direction);
+        const bool is_unit = std::abs(length2 - 1) < Real(1e-9);
+        length_ = is_unit ? 1 : std::sqrt(length2);
+        const Real inverse = is_unit ? 1 : 1 / length_;
         for (int a = 0; a < 3; ++a) {
             origin_[a] = static_cast<float>(ray.origin[a]);
-            direction_[a] = static_cast<float>(ray.direction[a] / length_);
+            direction_[a] = static_cast<float>(ray.direction[a] * inverse);
             reach_ = std::max(reach_, std::abs(origin_[a]));
         }
         near_ = below(range.min * length_);
