@@ -19,6 +19,7 @@ const std::string kMoved =
     "disc { <1, 2, 0>, <1, 1, 0.2>, 0.7, 0.2 scale <1, 3, 1> }\n"
     "polygon { 4, <0, 0, 0>, <1, 0, 0>, <1, 1, 0>, <0, 0, 0> scale <3, 1, 1> rotate 70 * y }\n"
     "quadric { <1, 2, 1>, <0.3, 0, 0>, <0, 1, 0>, -1 scale <1, 2, 0.5> rotate 40 * x }\n"
+    "torus { 1, 0.3 rotate <40, 0, 20> scale <1, 2, 0.5> }\n"
     "plane { <1, 2, 0.5>, -0.2 scale <1, 2, 1> }\n";
 
 /// One of each kind of clip, inverse and not, moved and not, alone and in company.
@@ -31,6 +32,8 @@ const std::string kClipped =
     "box { -1, 1 rotate 25 clipped_by { cylinder { -2 * y, 2 * y, 0.8 inverse } } }\n"
     "cone { -y, 1, y, 0.2 open clipped_by { quadric { <1, 1, 1>, <0, 0, 0>, <0, 0, 0>, -0.8 } } }\n"
     "cylinder { -y, y, 1 clipped_by { disc { 0, <1, 1, 0>, 0.2 } } }\n"
+    "torus { 1, 0.3 clipped_by { box { <-2, -1, -2>, <0.3, 0.1, 2> } } }\n"
+    "torus { 0.5, 0.2 rotate 30 * x clipped_by { plane { x, 0.1 } } clipped_by { sphere { y, 1.2 inverse } } }\n"
     "disc { 0, <0, 1, 0.3>, 1 clipped_by { plane { x, 0.2 inverse } } }\n"
     "plane { y, 0 clipped_by { box { -1, 1 } } }\n"
     "quadric { <1, 0, 1>, <0, 0, 0>, <0, 0, 0>, -0.5 clipped_by { box { -1, 1 } } clipped_by { plane { z, 0.3 } } }\n"
@@ -40,9 +43,8 @@ const std::string kClipped =
     "mesh { triangle { -x, x, y } triangle { -x, x, z } triangle { x, y, z } triangle { -x, y, z } clipped_by { box { "
     "-0.5, 0.5 inverse } } }\n";
 
-/// Step 1 has to iterate for these, or asks a clip that has no packet test.
+/// A patch, and clips that have no packet test.
 const std::string kAlone =
-    "torus { 1, 0.3 }\n"
     "sphere { 0, 1 clipped_by { torus { 1, 0.3 } } }\n"
     "bicubic_patch { type 1 flatness 0 u_steps 3 v_steps 3 "
     "<0,0,0>,<1,0,1>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,1>,<2,1,0>,<3,1,1>,\n"
@@ -95,7 +97,7 @@ TEST(Placed, MovedAndClippedIsWhatTheTextsHold) {
     for (const Object& o : clipped.objects) EXPECT_NE(o.clip, kNone);
 }
 
-TEST(Placed, WhoIteratesIsAskedRayByRay) {
+TEST(Placed, WhoHasNoPacketTestIsAskedRayByRay) {
     const Scene scene = staged(kAlone);
     for (const Object& object : scene.objects)
         EXPECT_FALSE(has_packet_test(scene, object)) << "kind " << int(object.kind);

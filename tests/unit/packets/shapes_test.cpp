@@ -243,5 +243,32 @@ TEST(PacketShapes, Quadrics) {
         expect_same("quadric", q, special, with_normals(q, [&](const Vec3s& p, const Roots&) { return normal(q, p); }));
 }
 
+TEST(PacketShapes, ToriThinThickAndCrossingThemselves) {
+    for (const Torus& t :
+         {Torus{1, Real(0.25)}, Torus{1, Real(0.9)}, Torus{1, 1}, Torus{Real(0.5), 1}, Torus{100, Real(0.01)}}) {
+        const Real out = t.major + t.minor, in = t.major - t.minor;
+        const Special special{
+            {{0, 0, 0}, {out, 0, 0}, {0, 0, -in}, {t.major, t.minor, 0}, {0, -t.minor, t.major}, {t.major, 0, 0}},
+            {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {in, t.minor, 0}, {1, 0, 1}, {t.major, t.minor, 0}},
+            out};
+        expect_same("torus", t, special, with_normals(t, [&](const Vec3s& p, const Roots&) { return normal(t, p); }));
+    }
+}
+
+TEST(PacketShapes, ToriSayForShadowsWhetherThereIsARoot) {
+    const Torus torus{1, Real(0.3)};
+    QuestionSource source({{{0, 0, 0}, {1, 0, 0}, {0, Real(0.3), 1}}, {{1, 0, 0}, {0, 1, 0}}, Real(1.3)}, 2);
+    for (int n = 0; n < 2000; ++n) {
+        const EightQuestions packet = source.next();
+        Span span = together(packet.ranges);
+        span.any = true;
+        const Roots roots = intersect(torus, together(packet.rays), span);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const bool truth = rays::intersect(torus, packet.rays[i], packet.ranges[i]).has_value();
+            ASSERT_EQ(roots.is.bits() >> i & 1, unsigned{truth}) << text(packet.rays[i], packet.ranges[i]);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace rays::packets::tests
