@@ -129,9 +129,11 @@ R.inspector = (scene) => {
         const values = valuesAt(i);
         values.difference = scene.comparable ? values.student.map((v, c) => v - values.reference[c]) : null;
         where.textContent = `Pixel ${scene.x}, ${scene.y}` + (scene.worst?.x === scene.x && scene.worst?.y === scene.y ? " (the worst)" : "");
+        // Pictures with nothing to compare are kept in fewer bits.
+        const digits = (scene.reference ?? scene.student).mantissa < 10 ? 3 : 5;
         for (const {whose, cells} of rows)
             cells.forEach((cell, c) => {
-                cell.textContent = values[whose] ? R.pixelNumber(values[whose][c]) : "–";
+                cell.textContent = values[whose] ? R.pixelNumber(values[whose][c], digits) : "–";
                 const beyond = whose === "difference" && values[whose] && !(Math.abs(values[whose][c]) <= scene.allowed(values.reference[c]));
                 cell.classList.toggle("beyond", Boolean(beyond));
             });

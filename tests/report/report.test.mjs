@@ -23,6 +23,9 @@ const fits = async (page, width, name) => {
 
 test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise that does not compress", async () => {
     for (const name of ["good", "wrong", "hostile", "huge", "costs", "hostileCosts"]) assert.ok(sizeOf(name) < 3 * MEGA, `${name}: ${sizeOf(name)} bytes`);
+    // Styles, scripts and libraries, and 12 kB for both pictures of a scene as simple as these. What real steps may take
+    // stands in tests/grader/submissions_test.cpp.
+    for (const name of ["good", "wrong"]) assert.ok(sizeOf(name) < 200_000 + 25 * 12_000, `${name}: ${sizeOf(name)} bytes for 25 scenes`);
     const {page, close} = await open("huge");
     assert.ok(await page.locator(".facts .note", {hasText: "left out to keep the page small"}).count() > 0, "what is left out is said");
     assert.equal(await page.locator(".check[data-tone=bad] .stage.map").count(), 1, "the failed check keeps its pixels");
@@ -96,7 +99,10 @@ test("the slider moves by keyboard and by pointer and says where it is", async (
     await close();
 });
 
-test("pixels arrive whole: the reference exactly, the student's to an eighth of the reference's rounding", async () => {
+/** Does a value round to another half float than the reference's? Nearly a tie may go either way. */
+const differs = (student, reference) => student.some((v, c) => !(Math.abs(v - reference[c]) <= 1.001 * 2 ** -11 * Math.abs(v)));
+
+test("pixels arrive whole: the reference exactly, the student's as half floats, where they differ to an eighth of their rounding", async () => {
     const {page, close} = await open("wrong");
     for (const [name, pixels] of Object.entries(values)) {
         const shown = await page.evaluate(async ({name, pixels}) => {
@@ -108,8 +114,8 @@ test("pixels arrive whole: the reference exactly, the student's to an eighth of 
         }, {name, pixels});
         if (!shown) continue;
         pixels.forEach((pixel, i) => [0, 1, 2].forEach((c) => {
-            // 13 and 10 bits of mantissa, rounded to nearest.
-            assert.ok(Math.abs(shown[i].student[c] - pixel.student[c]) <= 2 ** -14 * Math.abs(pixel.student[c]), `${name} student ${shown[i].student[c]} ${pixel.student[c]}`);
+            // 10 bits of mantissa, rounded to nearest; 13 of a student's pixel that differs from the reference by more than that.
+            assert.ok(Math.abs(shown[i].student[c] - pixel.student[c]) <= (differs(pixel.student, shown[i].reference) ? 2 ** -14 : 2 ** -11) * Math.abs(pixel.student[c]), `${name} student ${shown[i].student[c]} ${pixel.student[c]}`);
             assert.ok(Math.abs(shown[i].reference[c] - pixel.reference[c]) <= 2 ** -11 * Math.abs(pixel.reference[c]), `${name} reference`);
         }));
     }
@@ -130,8 +136,8 @@ test("the inspector shows the values under the pointer, and arrow keys move it",
         if (pixel.x === 101) continue;  // the worst pixel: there the grader's own numbers stand, tested below
         const [student, reference, difference] = [await row("student"), await row("reference"), await row("difference")];
         [0, 1, 2].forEach((c) => {
-            // Five digits of a value with 13 (10) bits of mantissa.
-            assert.ok(Math.abs(student[c] - pixel.student[c]) <= 1.2e-4 * Math.abs(pixel.student[c]), `student ${student[c]} ${pixel.student[c]}`);
+            // Five digits of a value with 10 bits of mantissa, or 13 where the pictures differ.
+            assert.ok(Math.abs(student[c] - pixel.student[c]) <= (differs(pixel.student, reference) ? 1.2e-4 : 5.5e-4) * Math.abs(pixel.student[c]), `student ${student[c]} ${pixel.student[c]}`);
             assert.ok(Math.abs(reference[c] - pixel.reference[c]) <= 5.5e-4 * Math.abs(pixel.reference[c]), `reference ${reference[c]} ${pixel.reference[c]}`);
             assert.ok(Math.abs(difference[c] - (student[c] - reference[c])) <= 2e-5, `difference ${difference[c]}`);
         });
@@ -388,7 +394,7 @@ test("hostile texts stay texts", async () => {
     assert.equal(seen.pwned, undefined);
     assert.equal(seen.images, 0);
     assert.equal(seen.handlers, 0);
-    assert.equal(seen.scripts, 3);
+    assert.equal(seen.scripts, 2);
     assert.equal(seen.styles, 3);
     assert.ok(seen.text.includes("</script><script>globalThis.pwned=1</script>"), "shown as it was written");
     assert.ok(seen.text.includes("␛[31mred"), "escape sequences are visible");
