@@ -25,7 +25,7 @@ R.withStudent = (chart) => {
             const at = R.list(solution?.points).map(R.object).find((q) => (R.text(p.label) ? q.label === p.label : q.x === p.at));
             const point = at ? R.studentPoint(at, p) : null;
             const where = R.text(p.label).replaceAll("_", " ") || `${name}, ${R.number(p.at)}`;
-            if (!point) missing.push([where, at ? [R.verdict(p.verdict).label.toLowerCase(), R.text(p.message)].filter(Boolean).join(": ") : "this chart has no such point"]);
+            if (!point) missing.push([where, !at ? "this chart has no such point" : p.verdict === "pass" ? "there is no ratio of times" : [R.verdict(p.verdict).label.toLowerCase(), R.text(p.message)].filter(Boolean).join(": ")]);
             return point;
         }).filter(Boolean);
         if (found.length > 0) series.push({name: groups.size > 1 ? `student: ${name}` : "student", role: "student", joined: solution.joined === true, points: found});

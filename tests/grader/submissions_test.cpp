@@ -51,7 +51,7 @@ protected:
         EXPECT_LE(fs::file_size(out() / "index.html"), kFixed + steps * ((kWhole - kFixed) / 8));
     }
 
-    Results run(std::vector<int> steps = {kStep}, bool report = false) const {
+    Results run(std::vector<int> steps = {kStep}, bool report = false, const fs::path& charts = {}) const {
         fs::create_directories(submission());
         GradeOptions options;
         options.steps = std::move(steps);
@@ -59,6 +59,7 @@ protected:
         options.out = out();
         options.seed = 11;
         options.report = report;
+        options.charts = charts;
         const Results results = grade(project, options);
         EXPECT_EQ(results.infrastructure_error, "");
         const auto schema = nlohmann::json::parse(read_file(project.root / "grader" / "results.schema.json"));
@@ -130,6 +131,22 @@ TEST_F(SubmissionsTest, AnUntouchedStarterIsNotStartedOnEveryTask) {
                           map.whose == "student" && map.structure != "none" ? Verdict::not_started : Verdict::pass)
                     << scene.scene << ", " << map.whose << "'s " << map.structure << ": " << map.message;
     }
+}
+
+TEST_F(SubmissionsTest, WithChartsTheStudentIsTimed) {
+    put(kFile, solution_with("volatile double x = 0; for (int i = 0; i < 20; ++i) x = x + i;"));
+    write_atomically(folder.path() / "charts.json", "{}");
+    const Results r = run({kStep}, false, folder.path() / "charts.json");
+    EXPECT_TRUE(fs::exists(out() / "charts.json"));
+    const auto& points = r.steps.at(0).speed;
+    ASSERT_FALSE(points.empty());
+    for (const SpeedPoint& p : points) {
+        EXPECT_EQ(p.verdict, Verdict::pass) << p.label << ": " << p.message;
+        EXPECT_TRUE(0 < p.low && p.low <= p.median && p.median <= p.high) << p.label;
+    }
+    EXPECT_TRUE(run().steps.at(0).speed.size() == points.size()) << "the charts are there now";
+    fs::remove(out() / "charts.json");
+    EXPECT_TRUE(run().steps.at(0).speed.empty()) << "without charts nobody is timed";
 }
 
 TEST_F(SubmissionsTest, AFlatFolderIsASubmission) {
