@@ -20,16 +20,18 @@ R.bits = (() => {
     };
 
     const reader = (bytes) => {
-        let low = 0, high = 0xffffffff, value = 0, at = 0;
-        const shift = () => (value = ((value << 8) | (at < bytes.length ? bytes[at++] : 0)) >>> 0);
+        // Numbers of 32 bits in an array: in variables engines would put each new one on the heap.
+        const range = new Uint32Array([0, 0xffffffff, 0]), LOW = 0, HIGH = 1, VALUE = 2;
+        let at = 0;
+        const shift = () => (range[VALUE] = (range[VALUE] << 8) | (at < bytes.length ? bytes[at++] : 0));
         for (let i = 0; i < 4; ++i) shift();
         const narrow = (chance) => {
-            const middle = low + ((high - low) >>> 12) * chance, bit = value <= middle ? 1 : 0;
-            if (bit) high = middle;
-            else low = middle + 1;
-            while ((low ^ high) >>> 24 === 0) {
-                low = (low << 8) >>> 0;
-                high = ((high << 8) | 255) >>> 0;
+            const middle = range[LOW] + ((range[HIGH] - range[LOW]) >>> 12) * chance, bit = range[VALUE] <= middle ? 1 : 0;
+            if (bit) range[HIGH] = middle;
+            else range[LOW] = middle + 1;
+            while ((range[LOW] ^ range[HIGH]) >>> 24 === 0) {
+                range[LOW] <<= 8;
+                range[HIGH] = (range[HIGH] << 8) | 255;
                 shift();
             }
             return bit;

@@ -120,7 +120,9 @@ R.inspector = (scene) => {
     const judge = (i) => {
         const times = R.pixelError(scene, i);
         if (scene.student.explained(i)) return ["mixed", "Beyond tolerance, but within the silhouette here"];
-        if (!scene.student.marked(i)) return ["good", "Within tolerance"];
+        // Such a pixel is kept as the reference's: a difference of 0 would say too much.
+        const same = [0, 1, 2].every((c) => scene.student.planes[c][i] === scene.reference.planes[c][i]);
+        if (!scene.student.marked(i)) return ["good", same ? "Within tolerance, equal after rounding" : "Within tolerance"];
         return ["bad", Number.isFinite(times) ? `${R.number(times, 2)} × the tolerance` : "Not a finite number"];
     };
     const show = () => {
