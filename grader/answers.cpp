@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "grader/text.h"
 #include "grader/verdicts.h"
@@ -11,6 +12,9 @@ namespace rays::grader {
 namespace {
 
 constexpr int kMostLosses = 4;
+// Where several tasks are asked at once none may use up all of them: what crashes in every scene of one task may well
+// answer the small questions of the next.
+constexpr int kMostLossesOfOneOfMany = 2;
 
 std::vector<std::string_view> lines_of(std::string_view text) {
     std::vector<std::string_view> lines;
@@ -49,21 +53,27 @@ void ask_one_by_one(const Sandbox& sandbox, const std::filesystem::path& program
                     const std::vector<const Question*>& questions, Limits limits, Replies& replies) {
     limits.wall_s = std::min(limits.wall_s, 5.0);
     limits.cpu_s = std::min(limits.cpu_s / 4, 4.0);
+    const bool of_many = std::any_of(questions.begin(), questions.end(),
+                                     [&](const Question* q) { return q->task != questions.front()->task; });
+    const int most_of_task = of_many ? kMostLossesOfOneOfMany : kMostLosses;
     int losses = 0;
+    std::map<std::string, int> of_task;
     for (std::size_t i = 0; i < questions.size() && losses < kMostLosses; ++i) {
-        if (replies.answers[i].kind != Answer::Kind::missing) continue;
+        if (replies.answers[i].came() || of_task[questions[i]->task] == most_of_task) continue;
         Run run = run_once(sandbox, program, {questions[i]}, limits);
-        if (run.ended.ok() && run.answers.size() == 1 && !run.surplus)
+        if (run.ended.ok() && run.answers.size() == 1 && !run.surplus) {
             replies.answers[i] = run.answers[0];
-        else
-            ++losses;
+        } else {
+            replies.answers[i].kind = Answer::Kind::lost;
+            ++losses, ++of_task[questions[i]->task];
+        }
     }
 }
 
 }  // namespace
 
 std::string shown_answer(const Answer& answer, const Replies& replies, std::size_t limit) {
-    if (answer.kind != Answer::Kind::missing) return answer.text.empty() ? "an empty line" : plain(answer.text, limit);
+    if (answer.came()) return answer.text.empty() ? "an empty line" : plain(answer.text, limit);
     if (replies.ended.timed_out) return "no answer (the program had run out of time)";
     return replies.ended.signal ? "no answer (the program had crashed)" : "no answer";
 }

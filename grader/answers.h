@@ -11,7 +11,7 @@
 namespace rays::grader {
 
 struct Replies {
-    std::vector<Answer> answers;  ///< one for each question; kind `missing` where none came
+    std::vector<Answer> answers;  ///< one for each question; kind `missing` or `lost` where none came
     Ended ended;                  ///< of the first run that failed, else of the last run
     std::string problem;          ///< why answers are missing, for the student; empty when none is
     bool infrastructure = false;  ///< the program could not be started: nobody's wrong answer
@@ -24,7 +24,8 @@ std::string shown_answer(const Answer& answer, const Replies& replies, std::size
 std::string unfinished_task(const std::vector<Answer>& answers);
 
 /// Asks all of them. When the program crashes or hangs, the questions without an answer are asked once more one by
-/// one, so that a crash costs the question that caused it; after four such losses the rest counts as lost, too.
+/// one, so that a crash costs the question that caused it. After four such losses, or two of a task among several, no
+/// more is asked: the rest stays without an answer.
 Replies ask(const Sandbox& sandbox, const std::filesystem::path& program, const std::vector<const Question*>& questions,
             const Limits& limits);
 

@@ -42,9 +42,17 @@ bool same(const Answer& a, const Answer& b) {
     return true;
 }
 
-bool comparable(const Answer& a) { return a.kind == Answer::Kind::value || a.kind == Answer::Kind::miss; }
+// Limits decide whether what needs too much runs out of time or of memory, and a crash is often luck: all of them are
+// one answer. `error` is a program's own word for it, since questions are well formed.
+const char* const kNoAnswer = "none";  // which parse_answer reads as an error, too
+bool is_no_answer(const Answer& a) { return a.kind == Answer::Kind::lost || a.kind == Answer::Kind::error; }
+
+bool comparable(const Answer& a) {
+    return a.kind == Answer::Kind::value || a.kind == Answer::Kind::miss || is_no_answer(a);
+}
 
 std::string shortened(const Answer& a) {
+    if (is_no_answer(a)) return kNoAnswer;
     if (a.kind != Answer::Kind::value) return "miss";
     std::string text;
     for (const double v : a.numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", v);

@@ -22,7 +22,8 @@ std::string questions_hash(const std::vector<Question>& questions);
 /// A program's answers where they differ from the solution's: number of the question -> answer, shortened.
 using Fingerprint = std::map<int, std::string>;
 
-/// Answers that did not come (unfinished, crash) are not part of it.
+/// "none" for a question on which the program crashes, hangs or fails. What is unfinished, or was not asked for after
+/// too many losses, is not part of it.
 Fingerprint fingerprint(const std::vector<Answer>& answers, const std::vector<Answer>& solution);
 
 /// The numbers of the questions whose task is not written yet.

@@ -40,7 +40,7 @@ Tally judge(const std::vector<const Question*>& questions, const Replies& replie
         ++tally.asked;
         tally.right += j.ok;
         tally.unfinished += waits;
-        tally.missing += answer.kind == Answer::Kind::missing;
+        tally.missing += !answer.came();
         if (j.ok)
             show(right, kShownRight, i, j);
         else

@@ -94,10 +94,14 @@ std::string read_file(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Steps stand in folders that begin with their number; what else solutions have has no starter.
 std::vector<fs::path> solution_files(const fs::path& solutions) {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(solutions))
-        if (entry.path().extension() == ".cpp" && entry.path().parent_path() != solutions) files.push_back(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(solutions)) {
+        const std::string top = fs::relative(entry.path(), solutions).begin()->string();
+        const bool in_step = top[0] >= '0' && top[0] <= '9';
+        if (in_step && entry.path().extension() == ".cpp") files.push_back(entry.path());
+    }
     std::sort(files.begin(), files.end());
     if (files.empty()) throw std::runtime_error(solutions.string() + ": no solutions here");
     return files;

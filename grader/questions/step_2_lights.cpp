@@ -81,6 +81,7 @@ void ask_spot(Notebook& notes, Dice& dice, double radius, double falloff, double
     const double middle = (radius + falloff) / 2;
     const double between = (std::cos(radians(middle)) - end) / (full - end);
     if (radius > 0) ask(radius / 2, 1, "within radius: all of it (times cosine^tightness)");
+    if (radius > 0) ask(0.95 * radius, 1, "still within radius: all of it");
     ask(middle, rim(between), "between radius and falloff: a smooth step of the angle's cosine");
     ask(falloff - (falloff - radius) / 5,
         rim((std::cos(radians(falloff - (falloff - radius) / 5)) - end) / (full - end)), "near the rim");

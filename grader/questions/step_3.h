@@ -66,6 +66,9 @@ Judge nothing();
 /// The first numbers of the answer are close to these; the others are not looked at, but must be there.
 Judge starts_with(std::vector<double> truth, std::size_t count, Tolerance tolerance);
 
+/// "r g b", all three of one value.
+Judge grey(double value);
+
 // ---- Scenes ---------------------------------------------------------------------------------------------------------
 
 /// Global settings and camera. Nothing is pruned unless said.
@@ -76,6 +79,8 @@ inline const char* const kDark = "ambient 0 diffuse 0";
 std::string lossless(double ior);
 /// Something that shines by itself, the same from everywhere.
 std::string shining(const V& color);
+
+std::string plane(const std::string& normal, double distance, const std::string& more);
 
 std::vector<Question> mirrors(std::uint64_t seed);        // 3.1
 std::vector<Question> refractions(std::uint64_t seed);    // 3.2

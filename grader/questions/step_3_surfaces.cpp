@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "questions/step_3.h"
 
@@ -16,6 +17,16 @@ void ask_refract(Notebook& notes, const Meeting& m, double ior, const V& truth, 
 }
 
 std::string angles(double cosine, double ior) { return number(cosine) + " " + number(ior); }
+
+Judge of_unit_length() {
+    return [](const Answer& answer) {
+        Judgement judgement{false, std::numeric_limits<double>::infinity(), "a direction of length 1"};
+        if (answer.kind != Answer::Kind::value || answer.numbers.size() != 3) return judgement;
+        judgement.error = std::abs(glm::length(V(answer.numbers[0], answer.numbers[1], answer.numbers[2])) - 1);
+        judgement.ok = judgement.error <= kGeometry.relative;
+        return judgement;
+    };
+}
 
 /// Schlick 1994, the cosine taken on the thinner side.
 double schlick_truth(double angle, double ior) {
@@ -62,6 +73,17 @@ std::vector<Question> mirrors(std::uint64_t seed) {
         notes.ask(fmt::format("bounce {} {} 2 1 0 0 {} {} 0", numbers(ray(start)), 2 * pairs, std::cos(a), std::sin(a)),
                   "between two mirrors a ray turns by twice their angle, every pair of bounces",
                   close_to(ray(start + 2 * a * pairs), kGeometry));
+    }
+    for (int i = 0; i < 3; ++i) {
+        // Normals as scenes have them, of length 1 to six digits: a direction that is not normalised gathers what they
+        // are off, here to some percent.
+        std::string mirrors;
+        for (int k = 0; k < 5; ++k) {
+            const V n = dice.unit();
+            mirrors += fmt::format(" {:.6f} {:.6f} {:.6f}", n.x, n.y, n.z);
+        }
+        notes.ask(fmt::format("bounce {} 200000 5{}", numbers(dice.unit()), mirrors),
+                  "mirrors whose normals are written with six digits: still of unit length", of_unit_length());
     }
     return notes.take();
 }

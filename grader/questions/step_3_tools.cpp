@@ -62,11 +62,17 @@ Judge starts_with(std::vector<double> truth, std::size_t count, Tolerance tolera
     };
 }
 
+Judge grey(double value) { return close_to(V(value)); }
+
 std::string world(int max_trace_level, double adc_bailout, const std::string& background) {
     return fmt::format(
         "#version 3.7;\nglobal_settings {{ assumed_gamma 1.0 max_trace_level {} adc_bailout {} }}\n"
         "camera {{ location <0, 0, -50> look_at 0 }}\nbackground {{ {} }}\n",
         max_trace_level, adc_bailout, background);
+}
+
+std::string plane(const std::string& normal, double distance, const std::string& more) {
+    return fmt::format("plane {{ {}, {} {} }}\n", normal, distance, more);
 }
 
 std::string lossless(double ior) {

@@ -95,8 +95,9 @@ public:
         return c2_ < 0 ? std::optional(std::sqrt(-c2_ / 6)) : std::nullopt;
     }
 
-    /// The part of the ray near enough to matter: in a ball and between two planes, a little larger than they must be.
-    Interval clip(Interval range) const {
+    /// The part of the ray from `begin` on that is near enough to matter: in a ball and between two planes, a little larger
+    /// than they must be.
+    Interval near_part(Real begin) const {
         const Real outer = (major_ + minor_) * Real(1.00001), tube = minor_ * Real(1.00001);
         const Real half2 = outer * outer - dot(o_, o_);
         if (!(half2 > 0)) return {0, 0};
@@ -108,7 +109,7 @@ public:
         } else if (!(std::abs(o_.y) <= tube)) {
             return {0, 0};
         }
-        return {std::max(range.min, low), std::min(range.max, high)};
+        return {std::max(begin, low), high};
     }
 
 private:
@@ -128,9 +129,10 @@ std::optional<Root> intersect(const Torus& torus, const Ray& ray, Interval range
     const Real length = glm::length(ray.direction);
     const Real shift = -dot(ray.origin, ray.direction) / (length * length);
     const TorusOnRay on_ray(torus, ray.at(shift), ray.direction / length);
-    const Interval near = on_ray.clip({(range.min - shift) * length, (range.max - shift) * length});
-    if (!(near.min < near.max)) return std::nullopt;
+    const Interval near = on_ray.near_part((range.min - shift) * length);
+    if (!(near.min < std::min(near.max, (range.max - shift) * length))) return std::nullopt;
 
+    // Brackets do not end where the range does: what was found before must not move the last bits of a root.
     Breaks inflections;
     inflections.add(near.min);
     if (const auto w = on_ray.inflection())
@@ -150,7 +152,7 @@ std::optional<Root> intersect(const Torus& torus, const Ray& ray, Interval range
     each_root(extrema, [&](Real u) { return on_ray.surface(u); }, [&](Real u) {
         const Root root{shift + u / length};
         if (range.contains(root.t)) first = root;
-        return first.has_value();
+        return root.t >= range.max || first.has_value();
     });
     return first;
     //< 1.10

@@ -29,10 +29,8 @@ bool Inside::leave(Medium medium) {
 }
 
 World make_world(const Scene& scene, const Intersector& intersector) {
-    const auto lets_light_through = [](const Color& c) { return c.filter != 0 || c.transmit != 0; };
     const auto clear = [&](const Object& object) {
-        const Pigment& p = scene.materials[object.material].pigment;
-        return lets_light_through(p.color) || (p.checker_other && lets_light_through(*p.checker_other));
+        return lets_light_through(scene.materials[object.material].pigment);
     };
     const auto clear_caster = [&](const Object& object) { return !object.no_shadow && clear(object); };
     const auto any = [&](const auto& what) { return std::any_of(scene.objects.begin(), scene.objects.end(), what); };

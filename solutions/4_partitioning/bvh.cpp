@@ -1,4 +1,4 @@
-// Beyond the step: a bounding volume hierarchy with eight children a node. Boxes, triangles and spheres are tested
+// Beyond the step: a bounding volume hierarchy with eight children a node. Boxes, triangles, spheres and cones are tested
 // eight at once in float; they only decide whom to ask, and the shared test of a primitive, in `Real`, gives the
 // answer.
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 //> hidden
-#include "4_partitioning/beyond/wide_tree.h"
+#include "4_partitioning/beyond/hierarchy.h"
 //< hidden
 
 namespace rays {
@@ -61,25 +61,30 @@ private:
     bool positive_[3];
 };
 
-class Bvh final : public Intersector {
+class Bvh final : public SingleRays {
 public:
-    explicit Bvh(const Scene& scene) : tester_(scene) {
-        std::vector<Item> items;
-        items.reserve(tester_.primitives().size());
-        for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i) {
-            const Bounds bounds = bounds_of(scene, tester_.primitives()[i]);
-            if (!bounds.is_finite())
-                unbounded_.push_back(i);
-            else
-                items.push_back({widened(bounds), i, leaf_kind(scene, tester_.primitives()[i])});
-        }
-        tree_ = Builder(scene, tester_.primitives(), std::move(items), kMostInLeaf).collapsed();
+    explicit Bvh(std::shared_ptr<const Hierarchy> hierarchy)
+        : hierarchy_(std::move(hierarchy)),
+          tester_(hierarchy_->tester),
+          unbounded_(hierarchy_->unbounded),
+          tree_(hierarchy_->tree) {}
+
+    bool blocked(const Ray& ray, Interval range, std::uint32_t& last) const override {
+        if (!is_ray(ray) || !(range.min < range.max)) return false;
+        if (last != kNone && tester_.blocks(last, ray, range)) return true;
+        const auto blocks = [&](std::uint32_t primitive) {
+            if (!tester_.blocks(primitive, ray, range)) return false;
+            last = primitive;
+            return true;
+        };
+        return walk<false>(ray, range, {}, [&](std::uint32_t i, BoxRay&, float&) { return blocks(i); }) ||
+               std::any_of(unbounded_.begin(), unbounded_.end(), blocks);
     }
 
 private:
     struct LastOccluder {
         std::uint64_t of = 0;  ///< whose: an address could be a later structure's
-        std::uint32_t primitive = 0;
+        std::uint32_t primitive = kNone;
     };
 
     static std::uint64_t next_number() {
@@ -114,17 +119,10 @@ private:
     }
 
     bool find_occluder(const Ray& ray, Interval range) const override {
-        if (!is_ray(ray) || !(range.min < range.max)) return false;
         // Neighbouring points tend to lie in the same shadow: who blocked last is asked first.
         thread_local LastOccluder last;
-        if (last.of == number_ && tester_.blocks(last.primitive, ray, range)) return true;
-        const bool blocked = walk<false>(ray, range, {}, [&](std::uint32_t primitive, BoxRay&, float&) {
-            if (!tester_.blocks(primitive, ray, range)) return false;
-            last = {number_, primitive};
-            return true;
-        });
-        return blocked || std::any_of(unbounded_.begin(), unbounded_.end(),
-                                      [&](std::uint32_t i) { return tester_.blocks(i, ray, range); });
+        if (last.of != number_) last = {number_, kNone};
+        return blocked(ray, range, last.primitive);
     }
 
     /// Asks the primitives that the ray may meet until ask(...) says enough; near boxes first, when sorted.
@@ -140,15 +138,20 @@ private:
         }
         std::optional<TriangleRay> triangle_ray;
         std::optional<SphereRay> sphere_ray;
-        const auto ask_block = [&](const auto& block, auto& block_ray) {
+        const auto ask_block = [&](const auto& block, const auto& numbers, auto& block_ray) {
             if (!block_ray) block_ray.emplace(ray, range);
             for (unsigned mask = block_ray->may_meet(block, far); mask != 0; mask &= mask - 1)
-                if (ask(block.primitive[std::countr_zero(mask)], box_ray, far)) return true;
+                if (ask(numbers[std::countr_zero(mask)], box_ray, far)) return true;
             return false;
         };
         const auto ask_leaf = [&](Child leaf) {
-            if (leaf.kind() == Child::Kind::triangles) return ask_block(tree_.triangles[leaf.place()], triangle_ray);
-            if (leaf.kind() == Child::Kind::spheres) return ask_block(tree_.spheres[leaf.place()], sphere_ray);
+            const auto blocks = [&](const auto& all) -> const auto& { return all[leaf.place()]; };
+            if (leaf.kind() == Child::Kind::triangles)
+                return ask_block(blocks(tree_.triangles), blocks(tree_.triangles).primitive, triangle_ray);
+            if (leaf.kind() == Child::Kind::spheres)
+                return ask_block(blocks(tree_.spheres), blocks(tree_.spheres).primitive, sphere_ray);
+            if (leaf.kind() == Child::Kind::cones)
+                return ask_block(blocks(tree_.cones), blocks(tree_.cones).around.primitive, sphere_ray);
             const std::uint32_t* list = &tree_.lists[leaf.place()];
             for (std::uint32_t k = 1; k <= list[0]; ++k)
                 if (ask(list[k], box_ray, far)) return true;
@@ -204,18 +207,27 @@ private:
         return false;
     }
 
-    PrimitiveTester tester_;
+    const std::shared_ptr<const Hierarchy> hierarchy_;
+    const PrimitiveTester& tester_;
+    const std::vector<std::uint32_t>& unbounded_;
+    const Tree& tree_;
     const std::uint64_t number_ = next_number();
-    std::vector<std::uint32_t> unbounded_;
-    Tree tree_;
 };
 
 }  // namespace
+
+std::shared_ptr<const Hierarchy> wide::make_hierarchy(const Scene& scene) {
+    return std::make_shared<const Hierarchy>(scene, kMostInLeaf);
+}
+
+std::unique_ptr<SingleRays> wide::make_bvh(std::shared_ptr<const Hierarchy> hierarchy) {
+    return std::make_unique<Bvh>(std::move(hierarchy));
+}
 //< hidden
 
 std::unique_ptr<Intersector> make_bvh(const Scene& scene) {
     //> 4.10 Beyond the step: any structure of your own, the faster the better. Until then, the octree stands in.
-    return std::make_unique<Bvh>(scene);
+    return wide::make_bvh(wide::make_hierarchy(scene));
     //< 4.10
 }
 

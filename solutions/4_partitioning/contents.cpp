@@ -1,6 +1,8 @@
 // What goes into a structure, and what stays outside.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "4_partitioning/parallel.h"
 #include "4_partitioning/structures.h"
@@ -14,8 +16,14 @@ namespace {
 Real diagonal(const Bounds& b) { return glm::length(b.max - b.min); }
 
 Bounds around(const Contents& contents, const std::vector<std::uint32_t>& primitives) {
+    std::vector<Bounds> of_part(std::max(1u, std::thread::hardware_concurrency()));
+    in_parallel_parts(primitives.size(), kParallelFrom, [&](std::size_t part, std::size_t begin, std::size_t end) {
+        Bounds box;
+        for (std::size_t k = begin; k < end; ++k) box.add(contents.bounds[primitives[k]]);
+        of_part[part] = box;
+    });
     Bounds box;
-    for (const std::uint32_t i : primitives) box.add(contents.bounds[i]);
+    for (const Bounds& part : of_part) box.add(part);
     return box;
 }
 
@@ -26,13 +34,15 @@ constexpr Real kMuchSmaller = Real(0.5);
 
 void set_huge_aside(Contents& contents) {
     while (contents.inside.size() > 2 * kMostHuge) {
-        const Real whole = diagonal(contents.box);
+        const auto is_huge = [&, limit = kMuchSmaller * diagonal(contents.box)](std::uint32_t i) {
+            return diagonal(contents.bounds[i]) >= limit;
+        };
         std::vector<std::uint32_t> huge, rest;
-        for (const std::uint32_t i : contents.inside)
-            (diagonal(contents.bounds[i]) >= kMuchSmaller * whole ? huge : rest).push_back(i);
+        std::copy_if(contents.inside.begin(), contents.inside.end(), std::back_inserter(huge), is_huge);
         if (huge.empty() || huge.size() + contents.outside.size() > kMostHuge) return;
+        std::copy_if(contents.inside.begin(), contents.inside.end(), std::back_inserter(rest), std::not_fn(is_huge));
         const Bounds box = around(contents, rest);
-        if (!(diagonal(box) < kMuchSmaller * whole)) return;
+        if (!(diagonal(box) < kMuchSmaller * diagonal(contents.box))) return;
         contents.outside.insert(contents.outside.end(), huge.begin(), huge.end());
         contents.inside = std::move(rest);
         contents.box = box;
@@ -65,10 +75,11 @@ Contents contents_of(const Scene& scene, const std::vector<Primitive>& primitive
     if (contents.inside.empty()) return contents;
     set_huge_aside(contents);
     contents.slack = slack_for(contents.box, slack_of_extent);
-    for (const std::uint32_t i : contents.inside) {
-        contents.bounds[i].min -= contents.slack;
-        contents.bounds[i].max += contents.slack;
-    }
+    in_parallel_each(contents.inside.size(), [&](std::size_t k) {
+        Bounds& bounds = contents.bounds[contents.inside[k]];
+        bounds.min -= contents.slack;
+        bounds.max += contents.slack;
+    });
     contents.box.min -= 2 * contents.slack;
     contents.box.max += 2 * contents.slack;
     return contents;

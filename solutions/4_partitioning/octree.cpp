@@ -3,11 +3,17 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <thread>
 
 #include "4_partitioning/parallel.h"
 #include "4_partitioning/primitive_tester.h"
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
+//> hidden
+#include "4_partitioning/beyond/item_box.h"
+#include "4_partitioning/beyond/octree_nodes.h"
+#include "4_partitioning/beyond/surface_test.h"
+//< hidden
 
 namespace rays {
 
@@ -72,57 +78,8 @@ int octants_along(const Slabs& node, unsigned mirror, Span span, std::array<Octa
 //> hidden
 namespace {
 
-// ---- What is kept: eight nodes of eight bytes a family, on one line of the cache ------------------------------------
-
-struct Node {
-    std::uint32_t first = 0;  ///< of a leaf: into items; else the family of its eight children
-    std::uint32_t count = 0;  ///< of a leaf: how many items
-    bool is_leaf() const { return count != kInner; }
-    bool is_empty() const { return count == 0; }
-    static constexpr std::uint32_t kInner = 0xffffffff;
-};
-
-struct alignas(64) Family {
-    std::array<Node, 8> children;
-};
-
-struct Tree {
-    Node root;
-    std::vector<Family> families;
-    std::vector<std::uint32_t> items;
-};
-
-/// The box of an item beside the item itself: most are passed by, and need not be looked up at all.
-struct ItemBox {
-    std::array<float, 3> min, max;
-};
-
-ItemBox item_box(const Bounds& bounds) {
-    constexpr float kLargest = std::numeric_limits<float>::max();
-    ItemBox box;
-    for (int a = 0; a < 3; ++a) {
-        box.min[static_cast<std::size_t>(a)] = std::nextafter(static_cast<float>(bounds.min[a]), -kLargest);
-        box.max[static_cast<std::size_t>(a)] = std::nextafter(static_cast<float>(bounds.max[a]), kLargest);
-    }
-    return box;
-}
-
-/// A ray of without_zeros, to hold boxes against. The boxes' slack covers its roundings.
-class BoxRay {
-public:
-    BoxRay(const Ray& ray, Real begin) : origin_(ray.origin), inverse_(Real(1) / ray.direction), begin_(begin) {}
-
-    bool meets(const ItemBox& box, Real far) const {
-        const Vec3 one = (Vec3(box.min[0], box.min[1], box.min[2]) - origin_) * inverse_;
-        const Vec3 other = (Vec3(box.max[0], box.max[1], box.max[2]) - origin_) * inverse_;
-        const Vec3 enter = glm::min(one, other), exit = glm::max(one, other);
-        return std::max(std::max(enter.x, enter.y), std::max(enter.z, begin_)) <= std::min(std::min(exit.x, exit.y), std::min(exit.z, far));
-    }
-
-private:
-    Vec3 origin_, inverse_;
-    Real begin_;
-};
+using octree::Node;
+using octree::Tree;
 
 // ---- Build ----------------------------------------------------------------------------------------------------------
 
@@ -132,68 +89,10 @@ constexpr int kMostDeep = 20;
 /// the growth on its way, and the shares add up to one entry a primitive, so there are at most kMostGrowth of them.
 /// Without this rule a thousand nested spheres fill the memory.
 constexpr Real kMostGrowth = 12;
-constexpr Real kNoBurden = 65536;                ///< as many entries are allowed to every scene
-constexpr int kShared = 2;                       ///< down to here one thread splits; the nodes there are shared out
-constexpr std::size_t kWorthSharing = 4096;
-
-/// Does the surface come near the cell, as far as one can tell quickly? Bounds say too often that it does: of a sphere
-/// around the cell, and of a slanted triangle.
-class SurfaceTest {
-public:
-    SurfaceTest(const PrimitiveTester& tester, Real slack) : tester_(tester), slack_(slack) {}
-
-    /// `thorough`: with all planes, worth its time where the cell is about as large as the primitive.
-    bool reaches(std::uint32_t primitive, const Bounds& cell, bool thorough) const {
-        const Scene& scene = tester_.scene();
-        const Primitive p = tester_.primitives()[primitive];
-        const Object& object = scene.objects[p.object];
-        const bool moved = object.transform != kNone;
-        const Vec3 center = Real(0.5) * (cell.min + cell.max), half = Real(0.5) * (cell.max - cell.min) + slack_;
-        switch (object.kind) {
-            case ShapeKind::sphere: return moved || reaches(scene.spheres[object.shape], center, half);
-            case ShapeKind::triangle: return moved || reaches(scene.triangles[object.shape], center, half, thorough);
-            case ShapeKind::smooth_triangle:
-                return moved || reaches(scene.smooth_triangles[object.shape].triangle, center, half, thorough);
-            case ShapeKind::mesh: return moved || reaches(face(scene.meshes[object.shape], p.part), center, half, thorough);
-            default: return true;
-        }
-    }
-
-private:
-    static Triangle face(const Mesh& mesh, std::uint32_t part) {
-        const auto [a, b, c] = mesh.faces[part].position;
-        return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-    }
-
-    /// Between the nearest and the farthest point of the cell there is one at the distance of the radius.
-    bool reaches(const Sphere& sphere, const Vec3& center, const Vec3& half) const {
-        const Vec3 away = glm::abs(center - sphere.center);
-        const Vec3 nearest = glm::max(away - half, Vec3(0)), farthest = away + half;
-        return glm::length(nearest) <= sphere.radius + slack_ && glm::length(farthest) >= sphere.radius - slack_;
-    }
-
-    /// No plane parts triangle and cell: neither the triangle's own nor one along an edge of each (Akenine-Moller, "Fast
-    /// 3D Triangle-Box Overlap Testing", JGT 6(1), 2001; the cell's own planes have been asked by the bounds).
-    bool reaches(const Triangle& t, const Vec3& center, const Vec3& half, bool thorough) const {
-        const Vec3 a = t.a - center, b = t.b - center, c = t.c - center;
-        if (parted(glm::cross(b - a, c - a), a, a, a, half)) return false;
-        if (!thorough) return true;
-        for (const Vec3& edge : {b - a, c - b, a - c})
-            if (parted({0, -edge.z, edge.y}, a, b, c, half) || parted({edge.z, 0, -edge.x}, a, b, c, half) ||
-                parted({-edge.y, edge.x, 0}, a, b, c, half))
-                return false;
-        return true;
-    }
-    bool parted(const Vec3& axis, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& half) const {
-        const Vec3 size = glm::abs(axis);
-        const Real reach = glm::dot(size, half) + slack_ * (size.x + size.y + size.z);
-        const Real u = glm::dot(axis, a), v = glm::dot(axis, b), w = glm::dot(axis, c);
-        return std::min({u, v, w}) > reach || std::max({u, v, w}) < -reach;
-    }
-
-    const PrimitiveTester& tester_;
-    Real slack_;
-};
+constexpr Real kNoBurden = 65536;  ///< as many entries are allowed to every scene
+/// A node with less than this part of all primitives is one thread's work; larger ones are split by all threads together.
+constexpr std::size_t kShares = 32;
+constexpr std::size_t kWorthThreads = 4096;  ///< items to split together
 
 class Builder {
 public:
@@ -201,6 +100,7 @@ public:
         : contents_(contents), surfaces_(tester, contents.slack),
           most_growth_(std::max(kMostGrowth, kNoBurden / static_cast<Real>(contents.inside.size()))) {}
 
+    /// The tree is the same for any number of threads.
     Tree build() {
         Tree tree;
         std::vector<Job> jobs;
@@ -210,47 +110,36 @@ public:
         in_parallel_parts(jobs.size(), 2, [&](std::size_t, std::size_t, std::size_t) {
             for (std::size_t i = next++; i < jobs.size(); i = next++) {
                 Job job = std::move(jobs[i]);
-                job.place.family = kRoot;
+                job.place = {};
                 grow(subtrees[i], std::move(job), nullptr);
             }
         });
-        for (std::size_t i = 0; i < jobs.size(); ++i) attach(tree, jobs[i].place, std::move(subtrees[i]));
+        for (std::size_t i = 0; i < jobs.size(); ++i) tree.attach(jobs[i].place, std::move(subtrees[i]));
         return tree;
     }
 
 private:
-    static constexpr std::uint32_t kRoot = 0xffffffff;
-    /// Families move while they are made, so a node is known by its place.
-    struct Place {
-        std::uint32_t family = kRoot;
-        unsigned octant = 0;
-    };
     struct Job {
         std::vector<std::uint32_t> items;
         Bounds box;
         int depth = 0;
         Real growth = 1;
-        Place place;
+        Tree::Place place;
     };
 
-    static Node& node_at(Tree& tree, Place place) {
-        return place.family == kRoot ? tree.root : tree.families[place.family].children[place.octant];
-    }
-
+    /// With `jobs`, all threads split what is larger than a share, and the rest goes there; without, this one does it all.
     void grow(Tree& tree, Job job, std::vector<Job>* jobs) const {
-        if (jobs && job.depth == kShared && job.items.size() >= kWorthSharing) {
+        if (jobs && job.items.size() <= contents_.inside.size() / kShares) {
             jobs->push_back(std::move(job));
             return;
         }
         if (job.items.size() <= kMostInLeaf || job.depth == kMostDeep) return make_leaf(tree, job);
-        std::array<Job, 8> children = split(job);
+        std::array<Job, 8> children = jobs ? split_together(job) : split(job);
         std::size_t entries = 0;
         for (const Job& child : children) entries += child.items.size();
         const Real growth = job.growth * static_cast<Real>(entries) / static_cast<Real>(job.items.size());
         if (growth > most_growth_) return make_leaf(tree, job);
-        const auto family = static_cast<std::uint32_t>(tree.families.size());
-        tree.families.emplace_back();
-        node_at(tree, job.place) = {family, Node::kInner};
+        const std::uint32_t family = tree.add_family(job.place);
         job.items = {};
         for (unsigned o = 0; o < 8; ++o) {
             if (children[o].items.empty()) continue;
@@ -261,42 +150,49 @@ private:
     }
 
     std::array<Job, 8> split(const Job& job) const {
+        std::array<Job, 8> children = empty_children(job);
+        deal(job, 0, job.items.size(), children);
+        return children;
+    }
+
+    /// Each thread deals out a part of the items; joined in the order of the parts, the lists are those of one thread.
+    std::array<Job, 8> split_together(const Job& job) const {
+        std::array<Job, 8> children = empty_children(job);
+        std::vector<std::array<Job, 8>> parts(std::max(1u, std::thread::hardware_concurrency()), children);
+        in_parallel_parts(job.items.size(), kWorthThreads, [&](std::size_t part, std::size_t begin, std::size_t end) {
+            deal(job, begin, end, parts[part]);
+        });
+        for (unsigned o = 0; o < 8; ++o)
+            for (const auto& part : parts)
+                children[o].items.insert(children[o].items.end(), part[o].items.begin(), part[o].items.end());
+        return children;
+    }
+
+    static std::array<Job, 8> empty_children(const Job& job) {
         std::array<Job, 8> children;
         for (unsigned o = 0; o < 8; ++o) {
             children[o].box = octant_of(job.box, o);
             children[o].depth = job.depth + 1;
         }
+        return children;
+    }
+
+    /// Items `begin` to `end` go to the children that they reach.
+    void deal(const Job& job, std::size_t begin, std::size_t end, std::array<Job, 8>& children) const {
         const bool thorough = job.items.size() <= 4 * kMostInLeaf;
-        for (const std::uint32_t item : job.items) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t item = job.items[i];
             for (unsigned rest = octants_overlapping(job.box, contents_.bounds[item]); rest != 0; rest &= rest - 1) {
                 Job& child = children[static_cast<unsigned>(std::countr_zero(rest))];
                 if (surfaces_.reaches(item, child.box, thorough)) child.items.push_back(item);
             }
         }
-        return children;
     }
 
-    static void make_leaf(Tree& tree, const Job& job) {
-        node_at(tree, job.place) = {static_cast<std::uint32_t>(tree.items.size()), static_cast<std::uint32_t>(job.items.size())};
-        tree.items.insert(tree.items.end(), job.items.begin(), job.items.end());
-    }
-
-    /// Puts a tree that was made by itself where its root belongs.
-    static void attach(Tree& tree, Place place, Tree&& subtree) {
-        const auto families = static_cast<std::uint32_t>(tree.families.size());
-        const auto items = static_cast<std::uint32_t>(tree.items.size());
-        const auto moved = [&](Node node) { return Node{node.first + (node.is_leaf() ? items : families), node.count}; };
-        node_at(tree, place) = moved(subtree.root);
-        for (Family& family : subtree.families) {
-            for (Node& node : family.children) node = moved(node);
-            tree.families.push_back(family);
-        }
-        tree.items.insert(tree.items.end(), subtree.items.begin(), subtree.items.end());
-        subtree = {};
-    }
+    static void make_leaf(Tree& tree, const Job& job) { tree.make_leaf(job.place, job.items); }
 
     const Contents& contents_;
-    SurfaceTest surfaces_;
+    octree::SurfaceTest surfaces_;
     Real most_growth_;
 };
 
@@ -313,7 +209,7 @@ public:
         tree_.families.shrink_to_fit();
         tree_.items.shrink_to_fit();
         boxes_.resize(tree_.items.size());
-        in_parallel_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = item_box(contents.bounds[tree_.items[i]]); });
+        in_parallel_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = octree::item_box(contents.bounds[tree_.items[i]]); });
     }
 
 private:
@@ -361,7 +257,7 @@ private:
         std::size_t size = 0;
         stack[size++] = {tree_.root, seen.root};
         Mailbox mailbox;
-        const BoxRay box_ray(ray, range.min);
+        const octree::BoxRay box_ray(ray, range.min);
         while (size > 0) {
             const Open open = stack[--size];
             const Real enter = std::max(range.min, open.slabs.enter());
@@ -433,7 +329,7 @@ private:
     Real slack_ = 0;
     std::vector<std::uint32_t> outside_;  ///< asked by every ray
     Tree tree_;
-    std::vector<ItemBox> boxes_;  ///< of the tree's items
+    std::vector<octree::ItemBox> boxes_;  ///< of the tree's items
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 // What goes into a structure, and what stays outside.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "4_partitioning/parallel.h"
 #include "4_partitioning/structures.h"

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <thread>
 
 #include "4_partitioning/parallel.h"
 #include "4_partitioning/primitive_tester.h"

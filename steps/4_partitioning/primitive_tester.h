@@ -33,7 +33,6 @@ public:
     /// The hit that a candidate is, if there is one.
     std::optional<Hit> complete(const Ray& ray, const Candidate& best) const;
 
-private:
     // Most primitives of large scenes are plain spheres, faces, triangles and cones, and most scenes have a floor: these
     // are asked without detours.
     enum class Way : std::uint8_t { sphere, face, triangle, cone, plane, other };
@@ -47,7 +46,9 @@ private:
         bool iterated;
         bool casts;  ///< a shadow
     };
+    const Dispatch& dispatch(std::uint32_t primitive) const { return dispatch_[primitive]; }
 
+private:
     std::optional<Root> ask(const Dispatch& d, std::uint32_t primitive, const Ray& ray, Interval range) const {
         if (effort) [[unlikely]]
             ++effort->tests;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/camera.h"
+#include "core/large_pages.h"
 #include "core/radiance.h"
 
 namespace rays {
@@ -23,7 +24,7 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.width) + static_cast<std::size_t>(x);
     }
     Raster raster_;
-    std::vector<Radiance> pixels_;
+    std::vector<Radiance, LargePages<Radiance>> pixels_;
 };
 
 /// Writes the lanes that have a name, R, G and B as a rule, as 32-bit floats. The file appears whole or not at all. Throws InputError when it cannot be written.

@@ -21,12 +21,18 @@ struct Color {
     float transmit = 0;
 };
 
+inline bool lets_light_through(const Color& c) { return c.filter != 0 || c.transmit != 0; }
+
 /// One colour, or a 3D checkerboard of unit cubes of two colours. `transform` takes pattern space to world space.
 struct Pigment {
     Color color{Radiance(0.0f)};
     std::optional<Color> checker_other;      ///< present: a checker; cubes with even floor(x)+floor(y)+floor(z) get `color`
     std::uint32_t transform = kNone;         ///< into Scene::transforms
 };
+
+inline bool lets_light_through(const Pigment& p) {
+    return lets_light_through(p.color) || (p.checker_other && lets_light_through(*p.checker_other));
+}
 
 struct Reflection {
     Radiance min{0.0f};

@@ -190,6 +190,7 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("--seed", a.options.seed, "of everything random")->capture_default_str();
     app.add_option("--threads", a.options.threads, "0: one a core")->capture_default_str();
     app.add_option("--partition", a.partition, "auto, none, grid, octree or bvh; the picture is the same")->capture_default_str();
+    app.add_flag("!--no-packets", a.options.packets, "trace ray by ray; the picture is the same");
     app.add_option("--without", a.without, "leave an effect out (see --needs); may be repeated")->allow_extra_args(false);
     app.add_option("--max-trace-level", a.max_trace_level, "at most so many levels of rays, the camera's included; 0: as the scene says");
     app.add_option("--stats", a.stats, "write times and unfinished tasks to this file, as JSON");

@@ -43,10 +43,7 @@ void hold_still(Scene& scene, Varying::Variable variable) {
 }
 
 bool reflects(const Finish& f) { return !f.reflection.max.is_black() || !f.reflection.min.is_black(); }
-bool is_clear(const Color& c) { return c.filter != 0 || c.transmit != 0; }
-bool is_clear(const Material& m) {
-    return is_clear(m.pigment.color) || (m.pigment.checker_other && is_clear(*m.pigment.checker_other));
-}
+bool is_clear(const Material& m) { return lets_light_through(m.pigment); }
 bool mirrors_by_index(const Material& m) { return reflects(m.finish) && m.finish.reflection.fresnel; }
 bool is_white(const Radiance& c) { return c[0] == 1 && c[1] == 1 && c[2] == 1; }
 bool absorbs(const Interior& i) { return i.fade_distance > 0 && !is_white(i.fade_color); }

@@ -8,6 +8,7 @@
 #include "1_ray_casting/ray_casting.h"
 #include "core/unfinished.h"
 #include "renderer/brute_force.h"
+#include "renderer/packets.h"
 #include "renderer/radiance.h"
 
 namespace rays {
@@ -28,6 +29,8 @@ public:
           fixed_(world.scene.camera.kind == Camera::Kind::perspective) {
         if (asked_ && fixed_) media_ = media_around(scene_, scene_.camera.location);
     }
+    /// Where all start in the same.
+    const Inside& fixed() const { return media_; }
     Inside at(const Vec3& origin) const { return asked_ && !fixed_ ? media_around(scene_, origin) : media_; }
 
 private:
@@ -35,20 +38,6 @@ private:
     bool asked_, fixed_;
     Inside media_;
 };
-
-/// The mean of side x side samples, in a regular grid.
-Radiance render_pixel(World& world, const CameraMedia& media, Raster raster, int side, int x, int y) {
-    Radiance sum;
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const Vec2 offset((i + Real(0.5)) / side - Real(0.5), (j + Real(0.5)) / side - Real(0.5));
-            const Ray ray = camera_ray(world.scene.camera, raster, x, y, offset);
-            sum += radiance(world, ray, media.at(ray.origin));
-        }
-    }
-    sum *= 1.0f / static_cast<float>(side * side);
-    return take_unfinished_task() ? striped(sum, x, y) : sum;
-}
 
 /// The residuals of a picture, row by row: their sum is the same for any number of threads.
 class Residuals {
@@ -78,6 +67,64 @@ private:
     std::vector<Row> rows_;
 };
 
+/// A regular grid of points in a pixel, as offsets from its centre.
+class Grid {
+public:
+    explicit Grid(int samples) : side_(static_cast<int>(std::lround(std::sqrt(samples)))) {}
+
+    template <class What>
+    void each(What what) const {
+        for (int j = 0; j < side_; ++j)
+            for (int i = 0; i < side_; ++i)
+                what(Vec2((i + Real(0.5)) / side_ - Real(0.5), (j + Real(0.5)) / side_ - Real(0.5)));
+    }
+    Radiance mean(const Radiance& sum) const { return (1.0f / static_cast<float>(side_ * side_)) * sum; }
+
+private:
+    int side_;
+};
+
+void render_row(World& world, const CameraMedia& media, const RenderOptions& options, int y, Film& film,
+                Residuals& residuals) {
+    const Grid grid(options.samples);
+    for (int x = 0; x < options.raster.width; ++x) {
+        world.pruned = 0;
+        Radiance sum;
+        grid.each([&](Vec2 offset) {
+            const Ray ray = camera_ray(world.scene.camera, options.raster, x, y, offset);
+            sum += radiance(world, ray, media.at(ray.origin));
+        });
+        film.at(x, y) = take_unfinished_task() ? striped(grid.mean(sum), x, y) : grid.mean(sum);
+        residuals.add(x, y, world.pruned / options.samples);
+    }
+}
+
+/// The rows y, y + 1, .. that packets cover, as far as they are in the picture.
+void render_packets(PacketTracer& tracer, const CameraMedia& media, const RenderOptions& options, int y, Film& film,
+                    Residuals& residuals) {
+    const Grid grid(options.samples);
+    const Raster& raster = options.raster;
+    for (Block block{0, y}; block.x < raster.width; block.x += Block::kSide) {
+        Radiance sum[Block::kSize];
+        double pruned[Block::kSize] = {};
+        grid.each([&](Vec2 offset) { tracer.add_radiance(raster, block, offset, media.fixed(), sum, pruned); });
+        for (int i = 0; i < Block::kSize; ++i) {
+            const int column = block.column(i), row = block.row(i);
+            if (column >= raster.width || row >= raster.height) continue;
+            film.at(column, row) = grid.mean(sum[i]);
+            residuals.add(column, row, pruned[i] / options.samples);
+        }
+    }
+}
+
+/// Packets take the place of the automatic choice only; and all rays of one must start in the same media.
+bool wants_packets(const Scene& scene, const RenderOptions& options) {
+    const bool from_one_place = scene.camera.kind == Camera::Kind::perspective;
+    const auto clear = [](const Material& m) { return lets_light_through(m.pigment); };
+    return options.packets && options.partition == Partition::automatic &&
+           (from_one_place || std::none_of(scene.materials.begin(), scene.materials.end(), clear));
+}
+
 }  // namespace
 
 void prepare(Scene& scene) {
@@ -100,20 +147,21 @@ std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition part
 
 Film render(const Scene& scene, const RenderOptions& options, Residual* residual) {
     Film film(options.raster);
-    const auto intersector = make_intersector(scene, options.partition);
-    const World prototype = make_world(scene, *intersector);
+    const auto packets = wants_packets(scene, options) ? make_packets(scene) : nullptr;
+    const auto own = packets ? nullptr : make_intersector(scene, options.partition);
+    const World prototype = make_world(scene, packets ? packets->intersector() : *own);
     const CameraMedia media(prototype);
     Residuals residuals(options.raster.height);
-    const int side = static_cast<int>(std::lround(std::sqrt(options.samples)));
+    const int rows = packets ? Block::kSide : 1;
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
         World world = prototype;
-        for (int y = next_row++; y < options.raster.height; y = next_row++) {
-            for (int x = 0; x < options.raster.width; ++x) {
-                world.pruned = 0;
-                film.at(x, y) = render_pixel(world, media, options.raster, side, x, y);
-                residuals.add(x, y, world.pruned / options.samples);
-            }
+        const auto tracer = packets ? packets->tracer(world) : nullptr;
+        for (int y = next_row.fetch_add(rows); y < options.raster.height; y = next_row.fetch_add(rows)) {
+            if (tracer)
+                render_packets(*tracer, media, options, y, film, residuals);
+            else
+                render_row(world, media, options, y, film, residuals);
             if (reports && options.progress) options.progress(double(y + 1) / options.raster.height);
         }
     };

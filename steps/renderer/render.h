@@ -20,6 +20,7 @@ struct RenderOptions {
     std::uint64_t seed = 0;
     int threads = 0;  ///< 0: one a core
     Partition partition = Partition::automatic;
+    bool packets = true;  ///< neighbouring rays together, where the program can and the partition is automatic
     std::function<void(double done)> progress;  ///< called now and then from one thread, 0 <= done <= 1
 };
 

@@ -16,7 +16,4 @@ struct Reading {
 Reading read_once(Sources& sources, const Source& text, const ReadOptions& options, FoldChoices& choices,
                   Budget& budget);
 
-/// Overflows that no statement saw. Throws InputError with the number's path.
-void require_finite(const Scene& scene, const Source& text);
-
 }  // namespace rays::sdl

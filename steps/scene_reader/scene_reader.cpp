@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "scene_reader/number_paths.h"
 #include "scene_reader/reading.h"
 #include "scene_reader/statements.h"
 #include "scene_reader/tabulate.h"

@@ -74,16 +74,36 @@ TEST_F(AskTest, MatchesAnswersAndQuestions) {
 TEST_F(AskTest, ACrashCostsItsQuestionOnly) {
     const Replies r = replies(program("one) echo 1;; two) kill -SEGV $$;; three) echo 3;;"));
     EXPECT_EQ(r.answers[0].kind, Kind::value);
-    EXPECT_EQ(r.answers[1].kind, Kind::missing);
+    EXPECT_EQ(r.answers[1].kind, Kind::lost);
     EXPECT_EQ(r.answers[2].kind, Kind::value);
     EXPECT_NE(r.problem.find("signal 11"), std::string::npos) << r.problem;
 }
 
 TEST_F(AskTest, AHangCostsItsQuestionOnly) {
     const Replies r = replies(program("one) echo 1;; two) sleep 60;; three) echo 3;;"));
-    EXPECT_EQ(r.answers[1].kind, Kind::missing);
+    EXPECT_EQ(r.answers[1].kind, Kind::lost);
     EXPECT_EQ(r.answers[2].kind, Kind::value);
     EXPECT_TRUE(r.ended.timed_out);
+}
+
+TEST_F(AskTest, AfterFourCrashesNoMoreIsAsked) {
+    const std::vector<Question> six(6, about("s\n", "two"));
+    std::vector<const Question*> asked;
+    for (const Question& q : six) asked.push_back(&q);
+    const Replies r = ask(*sandbox, script(folder, program("two) kill -SEGV $$;;")), asked, limits);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(r.answers[i].kind, i < 4 ? Kind::lost : Kind::missing) << i;
+}
+
+TEST_F(AskTest, OneTaskOfSeveralMayNotUseUpAllCrashes) {
+    std::vector<Question> questions(3, about("s\n", "two"));
+    questions.push_back(a);
+    questions.back().task = "1.4";
+    std::vector<const Question*> asked;
+    for (const Question& q : questions) asked.push_back(&q);
+    const Replies r = ask(*sandbox, script(folder, program("one) echo 1;; two) kill -SEGV $$;;")), asked, limits);
+    EXPECT_EQ(r.answers[1].kind, Kind::lost);
+    EXPECT_EQ(r.answers[2].kind, Kind::missing);
+    EXPECT_EQ(r.answers[3].kind, Kind::value) << "the next task's question was not asked";
 }
 
 TEST_F(AskTest, LinesTooManyMeanThatNoneIsTrusted) {

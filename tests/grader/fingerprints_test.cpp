@@ -28,10 +28,30 @@ TEST(Fingerprint, IsWhatDiffersBeyondRounding) {
     EXPECT_EQ(f, (Fingerprint{{0, "-1"}, {2, "5"}, {3, "nan 0.5 0.5"}}));
 }
 
-TEST(Fingerprint, LeavesOutAnswersThatDidNotCome) {
-    auto list = answers({"unfinished 1.3", "error x", "miss", "0.5 0.5 0.5", "hit 7", "1"});
+TEST(Fingerprint, LeavesOutWhatIsUnfinishedOrWasNotAskedFor) {
+    auto list = answers({"unfinished 1.3", "hit 2", "miss", "0.5 0.5 0.5", "hit 7", "1"});
     list.back() = Answer{};
     EXPECT_TRUE(fingerprint(list, answers(kSolution)).empty());
+}
+
+TEST(Fingerprint, TakesDownCrashesAndFailuresAlike) {
+    auto list = answers({"error out of memory", "hit 2", "miss", "0.5 0.5 0.5", "hit 7", "1"});
+    list.back().kind = Answer::Kind::lost;
+    EXPECT_EQ(fingerprint(list, answers(kSolution)), (Fingerprint{{0, "none"}, {5, "none"}}));
+}
+
+TEST(NearestMutant, NamesTheOneThatHangsWhereTheStudentCrashes) {
+    const auto hanging = [](std::size_t question) {
+        auto list = answers(kSolution);
+        list[question].kind = Answer::Kind::lost;
+        return fingerprint(list, answers(kSolution));
+    };
+    const auto a = known("A", hanging(1)), b = known("B", hanging(4));
+    const Fingerprint student = of({"hit 1", "error no memory", "miss", "0.5 0.5 0.5", "hit 7", "1"});
+    ASSERT_TRUE(nearest_mutant(student, {a, b}));
+    EXPECT_EQ(nearest_mutant(student, {a, b})->id, "A");
+    EXPECT_FALSE(nearest_mutant(of({"hit 1", "hit 3", "miss", "0.5 0.5 0.5", "hit 7", "1"}), {a, b}))
+        << "a wrong answer is not the one that never came";
 }
 
 TEST(NearestMutant, NamesTheOneThatExplains) {

@@ -17,6 +17,9 @@ Reference test_reference(const RgbImage& picture, int edge);
 /// The bytes of an EXR file as the render programs write it.
 std::string exr_bytes(const RgbImage& picture);
 
+/// Is this a part of the text?
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 /// A shell script, executable, in the folder.
 std::filesystem::path script(const TemporaryFolder& folder, const std::string& text);
 

@@ -1,4 +1,4 @@
-// What lies in a leaf, eight triangles or eight spheres side by side, in float: one pass tells which of them a ray may
+// What lies in a leaf, eight triangles, spheres or cones side by side, in float: one pass tells which of them a ray may
 // meet, and only those are asked in Real. A block never hides a root: what rounding may have done is added up and
 // allowed for. It also spares the memory: of what is not met, nothing but the block is read.
 #pragma once
@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "4_partitioning/beyond/float_box.h"
 
@@ -31,16 +32,32 @@ struct alignas(32) SphereBlock {
     float reach = 0;  ///< no coordinate of a surface is larger
 };
 
-/// How a leaf keeps its primitives.
-enum class LeafKind : std::uint8_t { list, triangles, spheres };
+/// Cones, and spheres among them: those have no axis.
+struct alignas(32) ConeBlock {
+    SphereBlock around;               ///< a ball about the middle of each
+    float half_axis[3][kWidth] = {};  ///< from the middle to the cap
+    float radius[kWidth] = {};        ///< the larger one, rounded up
+};
 
-/// Spheres and triangles that are neither moved nor clipped go into blocks, everything else into lists.
+/// How a leaf keeps its primitives.
+enum class LeafKind : std::uint8_t { list, triangles, spheres, cones };
+
+/// How a leaf keeps primitives of both kinds; nothing when it cannot.
+inline std::optional<LeafKind> together(LeafKind a, LeafKind b) {
+    const auto round = [](LeafKind k) { return k == LeafKind::spheres || k == LeafKind::cones; };
+    if (a == b) return a;
+    return round(a) && round(b) ? std::optional(LeafKind::cones) : std::nullopt;
+}
+
+/// Spheres, cones and triangles that are neither moved nor clipped go into blocks, everything else into lists.
 inline LeafKind leaf_kind(const Scene& scene, Primitive p) {
     const Object& object = scene.objects[p.object];
     if (object.transform != kNone || object.clip != kNone) return LeafKind::list;
     switch (object.kind) {
         case ShapeKind::sphere:
             return LeafKind::spheres;
+        case ShapeKind::cone:
+            return LeafKind::cones;
         case ShapeKind::triangle:
         case ShapeKind::smooth_triangle:
         case ShapeKind::mesh:
@@ -79,6 +96,20 @@ inline void put(SphereBlock& block, const Sphere& sphere, std::uint32_t primitiv
         block.center[a][lane] = static_cast<float>(sphere.center[a]);
         block.reach = std::max(block.reach, above(std::abs(sphere.center[a]) + sphere.radius));
     }
+}
+
+inline void put(ConeBlock& block, const Cone& cone, std::uint32_t primitive) {
+    const std::uint32_t lane = block.around.count;
+    const Vec3 half_axis = Real(0.5) * (cone.cap - cone.base);
+    const Real radius = std::max(cone.base_radius, cone.cap_radius);
+    put(block.around, Sphere{cone.base + half_axis, glm::length(half_axis) + radius}, primitive);
+    for (int a = 0; a < 3; ++a) block.half_axis[a][lane] = static_cast<float>(half_axis[a]);
+    block.radius[lane] = above(radius);
+}
+
+inline void put(ConeBlock& block, const Sphere& sphere, std::uint32_t primitive) {
+    block.radius[block.around.count] = above(sphere.radius);
+    put(block.around, sphere, primitive);
 }
 
 // ---- Which of them a ray may meet -----------------------------------------------------------------------------------
@@ -177,6 +208,32 @@ public:
         const __m256 behind_near = _mm256_cmp_ps(_mm256_add_ps(along, reaches), _mm256_set1_ps(near_), _CMP_NLT_UQ);
         const __m256 all = _mm256_and_ps(met, _mm256_and_ps(before_far, behind_near));
         return static_cast<unsigned>(_mm256_movemask_ps(all)) & ((1u << block.count) - 1);
+    }
+
+    /// Balls first; of those that are met, the ones whose axis the ray passes by no farther than the radius: the distance
+    /// of two lines is the part of what is between them along their common normal.
+    unsigned may_meet(const ConeBlock& block, float far) const {
+        const unsigned balls = may_meet(block.around, far);
+        if (balls == 0) return 0;
+        __m256 between[3], axis[3];
+        for (int a = 0; a < 3; ++a) {
+            between[a] = _mm256_sub_ps(_mm256_load_ps(block.around.center[a]), _mm256_set1_ps(origin_[a]));
+            axis[a] = _mm256_load_ps(block.half_axis[a]);
+        }
+        __m256 along_normal = _mm256_setzero_ps(), normal2 = along_normal, axis2 = along_normal;
+        for (int a = 0; a < 3; ++a) {
+            const int b = (a + 1) % 3, c = (a + 2) % 3;
+            const __m256 normal = _mm256_fmsub_ps(_mm256_set1_ps(direction_[b]), axis[c],
+                                                  _mm256_mul_ps(_mm256_set1_ps(direction_[c]), axis[b]));
+            along_normal = _mm256_fmadd_ps(between[a], normal, along_normal);
+            normal2 = _mm256_fmadd_ps(normal, normal, normal2);
+            axis2 = _mm256_fmadd_ps(axis[a], axis[a], axis2);
+        }
+        // The parts of the product are as large as the reach and the axis: some ten roundings of those.
+        const __m256 size = _mm256_mul_ps(_mm256_set1_ps(0x1p-18f * (block.around.reach + reach_)), _mm256_sqrt_ps(axis2));
+        const __m256 most = _mm256_fmadd_ps(_mm256_load_ps(block.radius), _mm256_sqrt_ps(normal2), size);
+        const __m256 distance = _mm256_andnot_ps(_mm256_set1_ps(-0.0f), along_normal);
+        return balls & static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(distance, most, _CMP_NGT_UQ)));
     }
 
 private:

@@ -17,16 +17,16 @@
 
 namespace rays::wide {
 
-/// What a child is, in one number: its kind in the upper two bits, its place in the rest.
+/// What a child is, in one number: its kind in the upper three bits, its place in the rest.
 class Child {
 public:
-    enum class Kind : std::uint32_t { node, list, triangles, spheres };
+    enum class Kind : std::uint32_t { node, list, triangles, spheres, cones };
 
     Child() = default;
     Child(Kind kind, std::size_t place)
-        : bits_(static_cast<std::uint32_t>(kind) << 30 | static_cast<std::uint32_t>(place)) {}
-    Kind kind() const { return static_cast<Kind>(bits_ >> 30); }
-    std::uint32_t place() const { return bits_ & 0x3fffffff; }
+        : bits_(static_cast<std::uint32_t>(kind) << 29 | static_cast<std::uint32_t>(place)) {}
+    Kind kind() const { return static_cast<Kind>(bits_ >> 29); }
+    std::uint32_t place() const { return bits_ & 0x1fffffff; }
 
 private:
     std::uint32_t bits_;  // without a value of its own: stacks of these cost nothing to make
@@ -43,6 +43,7 @@ struct Tree {
     std::vector<std::uint32_t> lists;  ///< leaf by leaf: how many, and then the primitives
     std::vector<TriangleBlock> triangles;
     std::vector<SphereBlock> spheres;
+    std::vector<ConeBlock> cones;
 };
 
 /// What goes into the tree.
@@ -55,7 +56,7 @@ struct Item {
 
 class Builder {
 public:
-    /// At most `most_in_block` triangles or spheres go into a leaf, up to kWidth.
+    /// At most `most_in_block` triangles, spheres or cones go into a leaf, up to kWidth.
     Builder(const Scene& scene, const std::vector<Primitive>& primitives, std::vector<Item> items,
             std::uint32_t most_in_block)
         : scene_(scene),
@@ -75,6 +76,7 @@ public:
         tree.lists.shrink_to_fit();
         tree.triangles.shrink_to_fit();
         tree.spheres.shrink_to_fit();
+        tree.cones.shrink_to_fit();
         return tree;
     }
 
@@ -99,7 +101,7 @@ private:
     static constexpr std::uint32_t kParallelFrom = 8192;  ///< below, a thread costs more than it saves
 
     /// Of asking a primitive, where opening a pair of boxes is 1; measured (NOTES.md).
-    static constexpr float cost_of(LeafKind kind) { return kind == LeafKind::list ? 1.0f : 0.3f; }
+    static constexpr float cost_of(LeafKind kind) { return kind == LeafKind::list ? 1.0f : kind == LeafKind::cones ? 0.5f : 0.3f; }
     std::uint32_t most_in_leaf(LeafKind kind) const { return kind == LeafKind::list ? 2 : most_in_block_; }
 
     // A subtree of n items needs at most 2 n - 1 nodes, so the place of each follows from where its items begin:
@@ -109,20 +111,20 @@ private:
         node = {};
         FloatBox centers;
         float cost = 0;
-        bool mixed = false;
+        std::optional<LeafKind> kind = items_[begin].kind;
         for (std::uint32_t i = begin; i < end; ++i) {
             node.box.add(items_[i].box);
             FloatBox c;
             for (int a = 0; a < 3; ++a) c.lo[a] = c.hi[a] = items_[i].center(a);
             centers.add(c);
             cost += cost_of(items_[i].kind);
-            mixed |= items_[i].kind != items_[begin].kind;
+            if (kind) kind = together(*kind, items_[i].kind);
         }
         node.begin = begin;
         node.end = end;
         const std::uint32_t count = end - begin;
         if (count == 1) return;
-        const std::uint32_t most = mixed ? 1 : most_in_leaf(items_[begin].kind);
+        const std::uint32_t most = kind ? most_in_leaf(*kind) : 1;
         const Plane plane = best_plane(begin, end, centers);
         if (count <= most && !(plane.cost + node.box.half_area() < cost * node.box.half_area())) return;
         std::uint32_t middle = begin + count / 2;
@@ -225,11 +227,15 @@ private:
     }
 
     Child leaf(const BinaryNode& leaf, Tree& tree) const {
-        switch (items_[leaf.begin].kind) {
+        LeafKind kind = items_[leaf.begin].kind;
+        for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) kind = *together(kind, items_[k].kind);
+        switch (kind) {
             case LeafKind::triangles:
                 return {Child::Kind::triangles, add_block(tree.triangles, leaf)};
             case LeafKind::spheres:
                 return {Child::Kind::spheres, add_block(tree.spheres, leaf)};
+            case LeafKind::cones:
+                return {Child::Kind::cones, add_block(tree.cones, leaf)};
             case LeafKind::list:
                 break;
         }
@@ -244,10 +250,13 @@ private:
         Block& block = blocks.emplace_back();
         for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
             const std::uint32_t primitive = items_[k].primitive;
-            if constexpr (std::is_same_v<Block, SphereBlock>)
-                put(block, scene_.spheres[scene_.objects[primitives_[primitive].object].shape], primitive);
-            else
+            const std::uint32_t shape = scene_.objects[primitives_[primitive].object].shape;
+            if constexpr (std::is_same_v<Block, TriangleBlock>)
                 put(block, triangle_of(scene_, primitives_[primitive]), primitive);
+            else if (items_[k].kind == LeafKind::spheres)
+                put(block, scene_.spheres[shape], primitive);
+            else if constexpr (std::is_same_v<Block, ConeBlock>)
+                put(block, scene_.cones[shape], primitive);
         }
         return blocks.size() - 1;
     }

@@ -1,12 +1,21 @@
 // The invariant of the step: every structure answers with the bytes of asking every primitive.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <thread>
+
+#include "4_partitioning/effort.h"
 #include "4_partitioning/parallel.h"
 #include "4_partitioning/structures.h"
 #include "hard_scenes.h"
 #include "renderer/agreement.h"
+
+/// What std::thread::hardware_concurrency says while it is not 0.
+static int pretended_cores = 0;
+// The C library's, which the C++ library asks: what is defined in the program comes first.
+extern "C" int get_nprocs() noexcept { return pretended_cores ? pretended_cores : int(sysconf(_SC_NPROCESSORS_CONF)); }
 
 namespace rays::tests {
 namespace {
@@ -55,6 +64,40 @@ TEST(ParallelBuilds, AgreeWithAskingEveryPrimitive) {
         const Agreement agreement = compare(scene, *make_structure(scene, partition), *slow, 200, 1);
         EXPECT_EQ(agreement.differences, 0u) << agreement.first;
         EXPECT_GT(agreement.hits, agreement.rays / 50);
+    }
+}
+
+/// All that a ray can tell of a structure: whom it asks, and in which cells.
+std::vector<double> seen_by(const Scene& scene, Partition partition) {
+    const auto structure = make_structure(scene, partition);
+    std::vector<double> seen;
+    HardRays rays(scene, 5);
+    for (int i = 0; i < 300; ++i) {
+        std::vector<Bounds> cells;
+        EffortCount count;
+        count.so_far().visited = &cells;
+        structure->nearest(rays.through_the_box(), {0, kInfinity});
+        seen.insert(seen.end(), {double(count.so_far().tests), double(count.so_far().nodes)});
+        for (const Bounds& cell : cells)
+            for (int a = 0; a < 3; ++a) seen.insert(seen.end(), {double(cell.min[a]), double(cell.max[a])});
+    }
+    return seen;
+}
+
+TEST(ParallelBuilds, AreTheSameForAnyNumberOfThreads) {
+    // Most of them in one corner: nodes of the octree are split by all threads to some depth there.
+    const Scene scene = staged("#declare R = seed(1); #declare I = 0; #while (I < " + std::to_string(3 * kParallelFrom) +
+                               ") sphere { <pow(rand(R), 8), rand(R), pow(rand(R), 8)> * 10, 0.2 * rand(R) } #declare I = I + 1; #end\n");
+    for (const Partition partition : {Partition::grid, Partition::octree, Partition::bvh}) {
+        pretended_cores = 1;
+        const std::vector<double> alone = seen_by(scene, partition);
+        for (const int cores : {2, 3, 7}) {
+            pretended_cores = cores;
+            ASSERT_EQ(std::thread::hardware_concurrency(), unsigned(cores)) << "the test does not reach the builds";
+            EXPECT_TRUE(seen_by(scene, partition) == alone) << cores << " threads, structure " << int(partition);
+        }
+        pretended_cores = 0;
+        EXPECT_GT(alone.at(1), 0) << "nodes of the first ray";
     }
 }
 

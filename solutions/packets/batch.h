@@ -1,0 +1,138 @@
+// Rays of a block of pixels that are on the same level of their trees and in the same media: what is traced together.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "packets/rays.h"
+#include "renderer/packets.h"
+
+namespace rays::packets {
+
+using Number = std::uint8_t;  ///< of a ray in its batch, or of a pixel in its block
+
+/// Numbers of rays, in some order.
+struct Numbers {
+    int count = 0;
+    Number of[Block::kSize];
+
+    void add(Number n) { of[count++] = n; }
+    const Number* begin() const { return of; }
+    const Number* end() const { return of + count; }
+};
+
+/// Up to eight rays of a batch, as lanes see them.
+struct Chunk {
+    Number of[kLanes];
+    unsigned lanes;
+    bool is_run;  ///< eight that follow each other: they are loaded and stored at once
+
+    /// The eight from `first` on, up to `end`. Lanes that are left over repeat the last one.
+    Chunk(const Numbers& numbers, int first, int end) {
+        const int count = std::min(kLanes, end - first);
+        for (int i = 0; i < kLanes; ++i) of[i] = numbers.of[first + std::min(i, count - 1)];
+        lanes = (1u << count) - 1;
+        is_run = count == kLanes;
+        for (int i = 1; i < kLanes; ++i) is_run &= of[i] == of[0] + i;
+    }
+    Reals load(const double* column) const {
+        if (is_run) return {_mm256_loadu_pd(column + of[0]), _mm256_loadu_pd(column + of[0] + 4)};
+        return {_mm256_setr_pd(column[of[0]], column[of[1]], column[of[2]], column[of[3]]),
+                _mm256_setr_pd(column[of[4]], column[of[5]], column[of[6]], column[of[7]])};
+    }
+    Floats load(const float* column) const {
+        if (is_run) return _mm256_loadu_ps(column + of[0]);
+        return _mm256_setr_ps(column[of[0]], column[of[1]], column[of[2]], column[of[3]], column[of[4]],
+                              column[of[5]], column[of[6]], column[of[7]]);
+    }
+};
+
+/// Calls what(chunk) for the rays of the list, eight by eight.
+template <class What>
+void each_chunk(const Numbers& numbers, What what) {
+    for (int first = 0; first < numbers.count; first += kLanes) what(Chunk(numbers, first, numbers.count));
+}
+
+/// Vectors and light side by side, component by component.
+struct VectorColumns {
+    double of[3][Block::kSize];
+
+    Vec3s load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
+    void store(int first, const Vec3s& v) {
+        const auto put = [&](double* column, Reals r) {
+            _mm256_storeu_pd(column + first, r.lo);
+            _mm256_storeu_pd(column + first + 4, r.hi);
+        };
+        put(of[0], v.x), put(of[1], v.y), put(of[2], v.z);
+    }
+    template <class Vectors>
+    void set(Number n, const Vectors& v, int lane) {
+        of[0][n] = v.x[lane];
+        of[1][n] = v.y[lane];
+        of[2][n] = v.z[lane];
+    }
+};
+
+/// Calls what(chunk) for rays that go the same way, eight by eight: the signs of their directions and the longest axis.
+template <class What>
+void each_chunk_by_way(const VectorColumns& direction, int count, What what) {
+    const auto way_of = [&](int n) {
+        const double x = direction.of[0][n], y = direction.of[1][n], z = direction.of[2][n];
+        const double ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
+        const int axis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
+        return (x < 0) | (y < 0) << 1 | (z < 0) << 2 | axis << 3;
+    };
+    constexpr int kWays = 24;
+    int way[Block::kSize], begin[kWays + 1] = {}, next[kWays];
+    for (int n = 0; n < count; ++n) ++begin[(way[n] = way_of(n)) + 1];
+    for (int w = 0; w < kWays; ++w) begin[w + 1] += begin[w];
+    std::copy(begin, begin + kWays, next);
+    Numbers ordered;
+    ordered.count = count;
+    for (int n = 0; n < count; ++n) ordered.of[next[way[n]]++] = static_cast<Number>(n);
+    for (int w = 0; w < kWays; ++w)
+        for (int first = begin[w]; first < begin[w + 1]; first += kLanes) what(Chunk(ordered, first, begin[w + 1]));
+}
+
+struct LightColumns {
+    float of[3][Block::kSize];
+
+    Radiances load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
+    Radiance operator[](Number n) const { return {of[0][n], of[1][n], of[2][n]}; }
+    void set(Number n, const Radiance& light) {
+        for (int c = 0; c < 3; ++c) of[c][n] = light[c];
+    }
+    void store(const Chunk& chunk, unsigned lanes, const Radiances& light) {
+        if (chunk.is_run && lanes == kAllLanes) {
+            _mm256_storeu_ps(of[0] + chunk.of[0], light.r.v);
+            _mm256_storeu_ps(of[1] + chunk.of[0], light.g.v);
+            _mm256_storeu_ps(of[2] + chunk.of[0], light.b.v);
+            return;
+        }
+        alignas(32) float v[3][kLanes];
+        light.r.store(v[0]), light.g.store(v[1]), light.b.store(v[2]);
+        each_lane(lanes, [&](int i) {
+            for (int c = 0; c < 3; ++c) of[c][chunk.of[i]] = v[c][i];
+        });
+    }
+};
+
+struct Batch {
+    int count = 0;
+    int level = 0;          ///< as in Branch; the same for all
+    bool straight = false;  ///< as in Branch
+    Inside inside;          ///< as in Branch
+    VectorColumns origin, direction;
+    float weight[Block::kSize];
+    Number pixel[Block::kSize];   ///< whose tree it is in
+    Number parent[Block::kSize];  ///< the ray of the batch above that it comes from
+
+    Ray ray(Number n) const {
+        return {{origin.of[0][n], origin.of[1][n], origin.of[2][n]},
+                {direction.of[0][n], direction.of[1][n], direction.of[2][n]}};
+    }
+    Rays load(const Chunk& chunk) const { return {origin.load(chunk), direction.load(chunk)}; }
+
+};
+
+}  // namespace rays::packets

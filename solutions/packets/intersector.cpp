@@ -1,0 +1,335 @@
+#include "packets/intersector.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+
+namespace rays::packets {
+
+using wide::Child;
+using Way = PrimitiveTester::Way;
+
+/// What primitives are asked about.
+class PacketIntersector::Asked {
+public:
+    Asked(const Rays& rays_, const Span& span_, const Beam& beam)
+        : rays(rays_), active(beam.active()), span(span_), longest_axis_(beam.longest_axis()) {}
+
+    const ShearedRays& sheared() const {
+        if (!sheared_) sheared_.emplace(rays, longest_axis_);
+        return *sheared_;
+    }
+    Interval range(int i) const { return {Spread(span.near)[i], Spread(span.far)[i]}; }
+    const SpreadRays& single() const {
+        if (!single_) single_.emplace(rays);
+        return *single_;
+    }
+
+    const Rays& rays;
+    const Mask active;
+    const Span span;
+
+private:
+    int longest_axis_;
+    mutable std::optional<ShearedRays> sheared_;
+    mutable std::optional<SpreadRays> single_;
+};
+
+PacketIntersector::PacketIntersector(const Scene& scene)
+    : hierarchy_(wide::make_hierarchy(scene)), single_(wide::make_bvh(hierarchy_)) {
+    for (const Material& m : scene.materials) clear_materials_.push_back(lets_light_through(m.pigment));
+}
+
+// ---- The walk -------------------------------------------------------------------------------------------------------
+
+/// Asks the primitives that some ray of the beam may meet until ask(primitive) says enough; near boxes first, when
+/// sorted.
+template <bool sorted, class Ask>
+void PacketIntersector::walk(Beam& beam, Ask ask) const {
+    for (const std::uint32_t primitive : hierarchy_->unbounded)
+        if (ask(primitive)) return;
+    const wide::Tree& tree = hierarchy_->tree;
+    if (tree.nodes.empty()) return;
+
+    const auto ask_block = [&](const auto& block, const auto& numbers) {
+        for (unsigned mask = beam.meets(block); mask != 0; mask &= mask - 1) {
+            const int i = std::countr_zero(mask);
+            if (beam.rays_that_meet(block, i) != 0 && ask(numbers[i])) return true;
+        }
+        return false;
+    };
+    const auto ask_leaf = [&](Child leaf) {
+        const auto in = [&](const auto& blocks) -> const auto& { return blocks[leaf.place()]; };
+        if (leaf.kind() == Child::Kind::triangles) return ask_block(in(tree.triangles), in(tree.triangles).primitive);
+        if (leaf.kind() == Child::Kind::spheres) return ask_block(in(tree.spheres), in(tree.spheres).primitive);
+        if (leaf.kind() == Child::Kind::cones) return ask_block(in(tree.cones), in(tree.cones).around.primitive);
+        const std::uint32_t* list = &tree.lists[leaf.place()];
+        for (std::uint32_t k = 1; k <= list[0]; ++k)
+            if (ask(list[k])) return true;
+        return false;
+    };
+
+    struct Open {
+        float enters;
+        std::uint32_t place;  ///< node * 8 + child
+    };
+    Open stack[8 * 80];  // as deep as the hierarchy can be
+    int size = 0;
+    for (std::uint32_t next = 0;;) {
+        const wide::Node& node = tree.nodes[next];
+        alignas(32) float enters[wide::kWidth];
+        const int first = size;
+        for (unsigned mask = beam.meets(node, enters); mask != 0; mask &= mask - 1) {
+            const int i = std::countr_zero(mask);
+            int place = size++;
+            if constexpr (sorted)
+                for (; place > first && stack[place - 1].enters < enters[i]; --place) stack[place] = stack[place - 1];
+            stack[place] = {enters[i], next * 8 + static_cast<unsigned>(i)};
+        }
+        for (;;) {
+            if (size == 0) return;
+            const Open open = stack[--size];
+            if (open.enters > beam.far_end()) continue;
+            const wide::Node& parent = tree.nodes[open.place / 8];
+            if (beam.rays_that_meet(parent, open.place % 8) == 0) continue;
+            const Child child = parent.child[open.place % 8];
+            if (child.kind() == Child::Kind::node) {
+                next = child.place();
+                break;
+            }
+            if (ask_leaf(child)) return;
+        }
+    }
+}
+
+/// Calls together(lanes, way) for rays that go the same way, if they are enough, and returns the others.
+template <class Together>
+unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together together) {
+    const Directions directions(rays.direction);
+    unsigned alone = 0;
+    for (unsigned rest = active.bits(); rest != 0;) {
+        const unsigned group = directions.like_the_first(rest);
+        if (std::popcount(group) < kFewestTogether)
+            alone |= group;
+        else
+            together(Mask::of(group), directions.way(std::countr_zero(group)));
+        rest &= ~group;
+    }
+    return alone;
+}
+
+Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span) const {
+    Found found;
+    const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
+        Beam beam(rays, lanes, way, span.near, span.far);
+        const Asked asked(rays, span, beam);
+        walk<true>(beam, [&](std::uint32_t primitive) {
+            if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
+            return false;
+        });
+    });
+    Hits hits;
+    if (found.is().any()) complete(rays, found, hits);
+    if (alone != 0) {
+        const SpreadRays single(rays);
+        const Spread starts(span.near), ends(span.far);
+        each_lane(alone, [&](int i) {
+            if (const auto hit = single_->nearest(single[i], {starts[i], ends[i]})) hits.set(i, *hit);
+        });
+    }
+    return hits;
+}
+
+Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span, std::uint32_t& last) const {
+    const Mask asking = active & (span.near < span.far);
+    Mask blocked = Mask::of(0);
+    const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
+        Beam beam(rays, lanes, way, span.near, span.far);
+        const Asked asked(rays, span, beam);
+        Mask open = lanes;
+        const auto ask = [&](std::uint32_t primitive) {
+            const Mask now = blocked_by(primitive, asked, open);
+            if (!now.any()) return false;
+            last = primitive;
+            blocked = blocked | now;
+            open = open - now;
+            beam.end_at(span.far, open);
+            return !open.any();
+        };
+        if (last == kNone || !ask(last)) walk<false>(beam, ask);
+    });
+    if (alone == 0) return blocked;
+    const SpreadRays single(rays);
+    const Spread starts(span.near), ends(span.far);
+    unsigned bits = 0;
+    each_lane(alone, [&](int i) {
+        if (single_->blocked(single[i], {starts[i], ends[i]}, last)) bits |= 1u << i;
+    });
+    return blocked | Mask::of(bits);
+}
+
+Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span& span) const {
+    Obstacles met;
+    const Mask asking = active & (span.near < span.far);
+    const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
+        Beam beam(rays, lanes, way, span.near, span.far);
+        const Asked asked(rays, span, beam);
+        Mask open = lanes;
+        walk<false>(beam, [&](std::uint32_t primitive) {
+            const Mask now = blocked_by(primitive, asked, open);
+            if (!now.any()) return false;
+            if (!is_clear(primitive)) {
+                met.opaque = met.opaque | now;
+                return false;
+            }
+            met.clear = met.clear | now;
+            open = open - now;
+            beam.end_at(span.far, open);
+            return !open.any();
+        });
+    });
+    met.clear = met.clear | Mask::of(alone);  // whoever walks from hit to hit finds out
+    met.opaque = met.opaque - met.clear;
+    return met;
+}
+
+// ---- Asking one primitive -------------------------------------------------------------------------------------------
+
+bool PacketIntersector::is_clear(std::uint32_t primitive) const {
+    const Primitive p = hierarchy_->tester.primitives()[primitive];
+    const Object& object = scene().objects[p.object];
+    std::uint32_t material = object.material;
+    if (object.kind == ShapeKind::mesh) {
+        const std::uint32_t own = scene().meshes[object.shape].faces[p.part].material;
+        if (own != Mesh::kObjectMaterial) material = own;
+    }
+    return clear_materials_[material];
+}
+
+/// Of a shape with a packet test.
+Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) const {
+    const auto& dispatch = hierarchy_->tester.dispatch(primitive);
+    const Scene& s = scene();
+    switch (dispatch.way) {
+        case Way::sphere: return intersect(s.spheres[dispatch.shape], asked.rays, asked.span);
+        case Way::cone: return intersect(s.cones[dispatch.shape], asked.rays, asked.span);
+        case Way::plane: return intersect(s.planes[dispatch.shape], asked.rays, asked.span);
+        case Way::triangle: return asked.sheared().intersect(s.triangles[dispatch.shape], asked.span);
+        case Way::face:
+            return intersect(s.meshes[dispatch.shape], hierarchy_->tester.primitives()[primitive].part, asked.rays,
+                             asked.sheared(), asked.span);
+        case Way::other: break;
+    }
+    const Primitive p = hierarchy_->tester.primitives()[primitive];
+    return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.span,
+                            [&]() -> const ShearedRays& { return asked.sheared(); });
+}
+
+bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
+    const PrimitiveTester& tester = hierarchy_->tester;
+    return tester.dispatch(primitive).way != Way::other ||
+           packets::has_packet_test(scene(), scene().objects[tester.primitives()[primitive].object]);
+}
+
+bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
+    const PrimitiveTester& tester = hierarchy_->tester;
+    if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
+    bool changed = false;
+    each_lane(asked.active.bits(), [&](int i) {
+        Candidate best;
+        if (found.is().bits() >> i & 1)
+            best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
+        tester.keep_nearer(primitive, asked.single()[i], asked.range(i), best);
+        if (best.primitive == primitive)
+            changed |= found.keep_nearer({Mask::of(1u << i), Reals(best.root.t), Reals(best.root.uv.x), Reals(best.root.uv.y),
+                               Reals(static_cast<double>(best.root.part))},
+                              asked.active, primitive);
+    });
+    return changed;
+}
+
+Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const {
+    const PrimitiveTester& tester = hierarchy_->tester;
+    if (!tester.dispatch(primitive).casts) return Mask::of(0);
+    if (has_packet_test(primitive)) return roots_of(primitive, asked).is & open;
+    unsigned blocked = 0;
+    each_lane(open.bits(), [&](int i) {
+        if (tester.blocks(primitive, asked.single()[i], asked.range(i))) blocked |= 1u << i;
+    });
+    return Mask::of(blocked);
+}
+
+// ---- From roots to hits ---------------------------------------------------------------------------------------------
+
+void PacketIntersector::complete(const Rays& rays, const Found& found, Hits& hits) const {
+    const Spread primitive(found.primitive);
+    const Vec3s point = rays.at(found.t);
+    hits.are = found.is().bits();
+    hits.t = Spread(found.t);
+    hits.point.set(Mask::of(kAllLanes), point);
+    for (unsigned rest = hits.are; rest != 0;) {
+        const double first = primitive[std::countr_zero(rest)];
+        const Mask lanes = found.primitive == Reals(first);
+        complete(static_cast<std::uint32_t>(first), lanes, rays, found, hits);
+        rest &= ~lanes.bits();
+    }
+}
+
+void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays& rays, const Found& found,
+                                 Hits& hits) const {
+    const Primitive p = hierarchy_->tester.primitives()[primitive];
+    const Scene& s = scene();
+    const Object& object = s.objects[p.object];
+    if (!has_packet_test(primitive)) {
+        const SpreadRays single(rays);
+        each_lane(lanes.bits(), [&](int i) { hits.set(i, complete_hit(s, p.object, single[i], found.root(i))); });
+        return;
+    }
+    std::uint32_t material = object.material;
+    const Transform* transform = object.transform == kNone ? nullptr : &s.transforms[object.transform];
+    const Vec3s world = hits.point.load();
+    const Vec3s point =
+        transform ? times(transform->inverse_linear, world) + Vec3s(transform->inverse_offset) : world;
+    const auto set_normals = [&](Vec3s n) {
+        if (transform) n = normalize(times(glm::transpose(transform->inverse_linear), n));
+        hits.normal.set(lanes, n);
+    };
+    // Of unit length in the world: a normal that is still to be moved need not be.
+    const auto unit = [&](const Vec3s& n) { return transform ? n : normalize(n); };
+    const auto flat = [](const Triangle& t) { return Vec3s(glm::normalize(glm::cross(t.b - t.a, t.c - t.a))); };
+    switch (object.kind) {
+        case ShapeKind::sphere:
+            set_normals(unit(normal(s.spheres[object.shape], point)));
+            break;
+        case ShapeKind::plane: set_normals(unit(s.planes[object.shape].normal)); break;
+        case ShapeKind::disc: set_normals(unit(s.discs[object.shape].normal)); break;
+        case ShapeKind::polygon: set_normals(unit(s.polygons[object.shape].plane.normal)); break;
+        case ShapeKind::triangle: set_normals(flat(s.triangles[object.shape])); break;
+        case ShapeKind::cone:
+            set_normals(unit(normal(s.cones[object.shape], point, found.part)));
+            break;
+        case ShapeKind::smooth_triangle: {
+            const SmoothTriangle& t = s.smooth_triangles[object.shape];
+            set_normals(normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
+            break;
+        }
+        case ShapeKind::mesh: {
+            const Mesh& mesh = s.meshes[object.shape];
+            const Mesh::Face& face = mesh.faces[p.part];
+            if (face.material != Mesh::kObjectMaterial) material = face.material;
+            const auto [a, b, c] = face.normal;
+            set_normals(face.smooth ? normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u,
+                                                            found.v))
+                                    : flat(triangle_of(mesh, p.part)));
+            break;
+        }
+        case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
+        default: set_normals(unit(box_normal(found.part))); break;
+    }
+    each_lane(lanes.bits(), [&](int i) {
+        hits.object[i] = p.object;
+        hits.material[i] = material;
+    });
+}
+
+}  // namespace rays::packets

@@ -1,0 +1,59 @@
+// The two questions of a ray tracer, asked for eight rays at once.
+#pragma once
+
+#include <memory>
+
+#include "4_partitioning/beyond/hierarchy.h"
+#include "core/intersector.h"
+#include "packets/beam.h"
+#include "packets/hits.h"
+#include "packets/placed.h"
+
+namespace rays::packets {
+
+/// What stands in the way of eight rays.
+struct Obstacles {
+    Mask opaque = Mask::of(0);  ///< these are blocked
+    Mask clear = Mask::of(0);   ///< these meet something that lets light through
+};
+
+/// Rays that go the same way walk the hierarchy together, others alone. The answers are those of single rays, bit by bit.
+class PacketIntersector {
+public:
+    explicit PacketIntersector(const Scene& scene);
+
+    const Scene& scene() const { return hierarchy_->tester.scene(); }
+    const Intersector& single() const { return *single_; }
+
+    /// The nearest hits in the span. `active` are the rays that ask.
+    Hits nearest(const Rays& rays, Mask active, const Span& span) const;
+
+    /// Which rays meet something that casts a shadow in the span? `last` is who blocked last, to be asked first.
+    Mask occluded(const Rays& rays, Mask active, const Span& span, std::uint32_t& last) const;
+
+    /// The same where shadows are filtered. All that a ray meets is looked at, until something clear is found.
+    Obstacles obstacles(const Rays& rays, Mask active, const Span& span) const;
+
+private:
+    /// Fewer rays are faster one by one; measured (NOTES.md).
+    static constexpr int kFewestTogether = 4;
+
+    class Asked;
+    bool is_clear(std::uint32_t primitive) const;
+    bool has_packet_test(std::uint32_t primitive) const;
+    template <class Together>
+    static unsigned grouped(const Rays& rays, Mask active, Together together);
+    template <bool sorted, class Ask>
+    void walk(Beam& beam, Ask ask) const;
+    Roots roots_of(std::uint32_t primitive, const Asked& asked) const;
+    bool keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const;
+    Mask blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const;
+    void complete(const Rays& rays, const Found& found, Hits& hits) const;
+    void complete(std::uint32_t primitive, Mask lanes, const Rays& rays, const Found& found, Hits& hits) const;
+
+    std::shared_ptr<const wide::Hierarchy> hierarchy_;
+    std::unique_ptr<wide::SingleRays> single_;
+    std::vector<bool> clear_materials_;
+};
+
+}  // namespace rays::packets

@@ -1,0 +1,83 @@
+// Shapes as they stand in the scene, moved and clipped, for eight rays: tasks 1.12 and 1.15.
+#pragma once
+
+#include "packets/shapes.h"
+
+namespace rays::packets {
+
+/// Can eight rays ask this object at once? Torus and patch iterate, each ray in its own way.
+bool has_packet_test(const Scene& scene, const Object& object);
+
+/// The smallest roots in the span that no clip cuts away. Of objects with a packet test; `sheared` is asked for flat ones
+/// that stand in world space only: sheared() gives ShearedRays.
+template <class Sheared>
+Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
+                       Sheared sheared);
+
+/// Which points are inside? Of objects that clip others.
+Mask inside(const Scene& scene, const Object& object, const Vec3s& points);
+
+/// The points and the directions in the object's own space, and normals of it in the world's.
+Vec3s times(const Mat3& matrix, const Vec3s& v);
+
+// ---- Quadrics -------------------------------------------------------------------------------------------------------
+
+Roots intersect(const Quadric& quadric, const Rays& rays, const Span& span);
+Vec3s normal(const Quadric& quadric, const Vec3s& point);
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// In the shape's own space, clips not considered.
+template <class Sheared>
+Roots intersect_shape(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
+                      Sheared sheared) {
+    const std::uint32_t shape = object.shape;
+    switch (object.kind) {
+        case ShapeKind::sphere: return intersect(scene.spheres[shape], rays, span);
+        case ShapeKind::plane: return intersect(scene.planes[shape], rays, span);
+        case ShapeKind::triangle: return sheared().intersect(scene.triangles[shape], span);
+        case ShapeKind::smooth_triangle: return sheared().intersect(scene.smooth_triangles[shape].triangle, span);
+        case ShapeKind::mesh: return intersect(scene.meshes[shape], part, rays, sheared(), span);
+        case ShapeKind::polygon: return intersect(scene.polygons[shape], rays, span);
+        case ShapeKind::disc: return intersect(scene.discs[shape], rays, span);
+        case ShapeKind::cone: return intersect(scene.cones[shape], rays, span);
+        case ShapeKind::quadric: return intersect(scene.quadrics[shape], rays, span);
+        default: return intersect(scene.boxes[shape], rays, span);
+    }
+}
+
+template <class Sheared>
+Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
+                       Sheared sheared) {
+    if (object.transform == kNone && object.clip == kNone)
+        return intersect_shape(scene, object, part, rays, span, sheared);
+    Rays local = rays;
+    if (object.transform != kNone) {
+        const Transform& t = scene.transforms[object.transform];
+        local = Rays(times(t.inverse_linear, rays.origin) + Vec3s(t.inverse_offset),
+                     times(t.inverse_linear, rays.direction));
+    }
+    if (object.clip == kNone) return intersect_shape(scene, object, part, local, span, sheared);
+    // As in step 1: a root that is cut away sends the question on behind it.
+    Span rest = span;
+    Mask open = Mask::of(kAllLanes);
+    Roots unclipped = Roots::none();
+    for (int i = 0; i < 1000 && open.any(); ++i) {
+        const Roots roots = intersect_shape(scene, object, part, local, rest, sheared);
+        const Mask met = roots.is & open;
+        if (!met.any()) break;
+        Mask inside_all = met;
+        for (const Object& clip : scene.clips[object.clip])
+            inside_all = inside_all & inside(scene, clip, rays.at(roots.t));
+        unclipped.is = unclipped.is | inside_all;
+        unclipped.t = select(inside_all, roots.t, unclipped.t);
+        unclipped.u = select(inside_all, roots.u, unclipped.u);
+        unclipped.v = select(inside_all, roots.v, unclipped.v);
+        unclipped.part = select(inside_all, roots.part, unclipped.part);
+        open = met - inside_all;
+        rest.near = select(open, roots.t, rest.near);
+    }
+    return unclipped;
+}
+
+}  // namespace rays::packets

@@ -1,0 +1,215 @@
+#include "packets/shading.h"
+
+#include <cmath>
+
+// glibc's vector library (libmvec), by the names of the x86-64 vector ABI: four doubles, AVX2.
+extern "C" __m256d _ZGVdN4vv_pow(__m256d, __m256d);
+
+namespace rays::packets {
+namespace {
+
+/// As eight of `Illumination`.
+struct Illuminations {
+    Vec3s to_light;
+    Reals distance;
+    Radiances radiance;
+    Mask are;  ///< something arrives
+};
+
+bool is_parallel(const Light& light) { return light.parallel || light.kind == Light::Kind::cylinder; }
+
+Reals fading(const Light& light, Mask lanes, Reals distance) {
+    if (!(light.fade_power > 0) || !(light.fade_distance > Real(1e-10))) return Reals(1);
+    const Reals relative = abs(distance) / Reals(light.fade_distance);
+    const Reals grown = light.fade_power == 2 ? relative * relative : power(lanes, relative, light.fade_power);
+    return Reals(2) / (Reals(1) + grown);
+}
+
+/// Spotlights and cylinders are few: theirs is asked point by point.
+Reals cone_of_light(const Light& light, Mask lanes, const Vec3s& point) {
+    if (light.kind == Light::Kind::point) return Reals(1);
+    const Spread3 points(point);
+    Spread cone(Reals(0.0));
+    each_lane(lanes.bits(), [&](int i) { cone.lane[i] = rays::cone_of_light(light, points[i]); });
+    return Reals::load(cone.lane);
+}
+
+Illuminations illuminate(const Light& light, Mask lanes, const Vec3s& point) {
+    Illuminations result;
+    if (is_parallel(light)) {
+        // Where the point is makes no difference to the direction.
+        result.to_light = illuminate(light, light.location + Vec3(1)).to_light;
+        result.distance = dot(Vec3s(light.location) - point, result.to_light);
+        result.are = lanes;
+    } else {
+        const Vec3s to_light = Vec3s(light.location) - point;
+        result.distance = length(to_light);
+        result.to_light = {to_light.x / result.distance, to_light.y / result.distance, to_light.z / result.distance};
+        result.are = lanes & (result.distance > Reals(0));
+    }
+    const Floats strength(fading(light, lanes, result.distance) * cone_of_light(light, lanes, point));
+    result.radiance = strength * Radiances(light.color);
+    return result;
+}
+
+/// Towards the surface's colour on metal, by the angle between normal and light: task 2.5.
+Radiances highlight_color(const Surfaces& at, const Illuminations& light, Reals n_dot_l) {
+    const float metallic = at.finish->metallic;
+    if (!(metallic > 0)) return light.radiance;
+    const Spread cosines(n_dot_l);
+    alignas(32) float tints[kLanes] = {};
+    each_lane(light.are.bits(), [&](int i) {
+        const Real x = std::acos(std::clamp(cosines[i], Real(-1), Real(1))) / (kPi / 2);
+        const Real fresnel = Real(0.014567225) / ((x - Real(1.12)) * (x - Real(1.12))) - Real(0.011612903);
+        tints[i] = metallic * (1 - static_cast<float>(std::clamp(fresnel, Real(0), Real(1))));
+    });
+    const Radiances white(Floats(1), Floats(1), Floats(1));
+    return light.radiance * (white + Floats::load(tints) * (at.color - white));
+}
+
+Radiances highlights(const Surfaces& at, const Illuminations& light, Reals n_dot_l) {
+    const Finish& finish = *at.finish;
+    const Reals zero(0);
+    Floats phong(0.0f), blinn(0.0f);
+    if (finish.phong > 0) {
+        const Vec3s mirrored = Reals(2) * dot(at.normal, at.to_viewer) * at.normal - at.to_viewer;
+        const Reals r_dot_l = dot(mirrored, light.to_light);
+        const Mask shine = light.are & (r_dot_l > zero);
+        if (shine.any())
+            phong = Floats(select(shine, Reals(finish.phong) * power(shine, r_dot_l, finish.phong_size), zero));
+    }
+    if (finish.specular > 0) {
+        const Vec3s between = light.to_light + at.to_viewer;
+        const Reals size = length(between), n_dot_h = dot(at.normal, between) / size;
+        const Mask shine = light.are & (size > zero) & (n_dot_h > zero);
+        if (shine.any())
+            blinn = Floats(
+                select(shine, Reals(finish.specular) * power(shine, n_dot_h, 1 / Real(finish.roughness)), zero));
+    }
+    const Radiances color = highlight_color(at, light, n_dot_l);
+    return phong * color + blinn * color;
+}
+
+/// Where a checker has its first colour; everywhere, where there is no checker.
+Mask has_first_color(const Scene& scene, const Pigment& pigment, const Vec3s& point) {
+    if (!pigment.checker_other) return Mask::of(kAllLanes);
+    Vec3s local = point;
+    if (pigment.transform != kNone) {
+        const Transform& t = scene.transforms[pigment.transform];
+        local = times(t.inverse_linear, point) + Vec3s(t.inverse_offset);
+    }
+    const Reals e(Real(1e-10)), cubes = floor(local.x + e) + floor(local.y + e) + floor(local.z + e);
+    const Reals half = cubes * Reals(0.5);
+    return floor(half) == half;
+}
+
+void set_pigment(const Scene& scene, const Pigment& pigment, Surfaces& at) {
+    const Color& color = pigment.color;
+    const Color& other = pigment.checker_other ? *pigment.checker_other : color;
+    const Mask first = has_first_color(scene, pigment, at.point);
+    at.color = select(first, Radiances(color.rgb), Radiances(other.rgb));
+    if (!lets_light_through(pigment)) return;
+    const Floats filter = select(first, Floats(color.filter), Floats(other.filter));
+    const Floats transmit = select(first, Floats(color.transmit), Floats(other.transmit));
+    at.opacity = Floats(1.0f) - filter - transmit;
+    at.clear = filter * at.color + Radiances(transmit, transmit, transmit);
+}
+
+}  // namespace
+
+Reals power(Mask lanes, Reals x, double exponent) {
+    const Reals base = select(lanes, x, Reals(1));
+    const __m256d e = _mm256_set1_pd(exponent);
+    return {_ZGVdN4vv_pow(base.lo, e), _ZGVdN4vv_pow(base.hi, e)};
+}
+
+Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
+                     const Material& material) {
+    Surfaces at;
+    at.are = lanes;
+    at.point = point;
+    at.normal = select(dot(normal, to_viewer) < Reals(0.0), -normal, normal);
+    at.to_viewer = to_viewer;
+    set_pigment(scene, material.pigment, at);
+    at.finish = &material.finish;
+    return at;
+}
+
+Radiances Shadows::visibility(std::size_t light, const Vec3s& point, Mask lanes, const Vec3s& to_light,
+                              Reals distance, const Inside& inside) {
+    const Rays rays(point, to_light);
+    const Span span{Reals(kShadowTolerance), distance - Reals(kShadowTolerance)};
+    const Radiances all{Floats(1.0f), Floats(1.0f), Floats(1.0f)}, none;
+    if (!world_.filtered_shadows) return select(intersector_.occluded(rays, lanes, span, last_[light]), none, all);
+    const Obstacles met = intersector_.obstacles(rays, lanes, span);
+    const Radiances left = select(met.opaque, none, all);
+    return met.clear.any() ? select(met.clear, filtered(rays, met.clear, span, inside), left) : left;
+}
+
+/// Task 3.7: from hit to hit, in the media that each shadow ray is in.
+Radiances Shadows::filtered(const Rays& rays, Mask open, Span span, const Inside& inside) const {
+    const Scene& scene = world_.scene;
+    Radiance left[kLanes];
+    Inside media[kLanes];
+    Real last_caster[kLanes] = {};
+    Spread starts(span.near);
+    each_lane(open.bits(), [&](int i) {
+        left[i] = Radiance(1.0f);
+        media[i] = inside;
+    });
+    while (open.any()) {
+        const Hits hits = intersector_.nearest(rays, open, span);
+        unsigned going_on = hits.are;
+        each_lane(hits.are, [&](int i) {
+            starts.lane[i] = hits.t[i];
+            if (scene.objects[hits.object[i]].no_shadow) return;
+            const Color color = pigment_at(scene, scene.materials[hits.material[i]].pigment, hits.point[i]);
+            left[i] *= color.filter * color.rgb + Radiance(color.transmit);
+            if (left[i].is_black()) {
+                going_on &= ~(1u << i);
+                return;
+            }
+            const Medium medium = medium_of(scene, hits.object[i]);
+            if (media[i].leave(medium)) {
+                const Interior* interior = interior_of(scene, medium);
+                if (interior && interior->fade_power > 0)
+                    left[i] *= absorption(*interior, hits.t[i] - last_caster[i]);
+            } else {
+                media[i].enter(medium);
+            }
+            last_caster[i] = hits.t[i];
+            starts.lane[i] = hits.t[i] + kShadowTolerance;
+        });
+        open = Mask::of(going_on);
+        span.near = Reals::load(starts.lane);
+    }
+    alignas(32) float lanes[3][kLanes];
+    for (int i = 0; i < kLanes; ++i)
+        for (int c = 0; c < 3; ++c) lanes[c][i] = left[i][c];
+    return {Floats::load(lanes[0]), Floats::load(lanes[1]), Floats::load(lanes[2])};
+}
+
+Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& at, const Inside& inside) {
+    const Finish& finish = *at.finish;
+    Radiances sum = at.opacity * at.color * Radiances(finish.ambient * scene.settings.ambient_light + finish.emission);
+    if (!(finish.diffuse > 0) && !(finish.phong > 0) && !(finish.specular > 0)) return sum;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& source = scene.lights[i];
+        Illuminations light = illuminate(source, at.are, at.point);
+        const Reals n_dot_l = dot(at.normal, light.to_light);
+        light.are = light.are & is_not_black(light.radiance) & (n_dot_l > Reals(0));
+        if (!light.are.any()) continue;
+        if (!source.shadowless) {
+            light.radiance = light.radiance * shadows.visibility(i, at.point, light.are, light.to_light,
+                                                                 light.distance, inside);
+            light.are = light.are & is_not_black(light.radiance);
+            if (!light.are.any()) continue;
+        }
+        Radiances brings = (at.opacity * Floats(finish.diffuse) * Floats(n_dot_l)) * at.color * light.radiance;
+        sum = select(light.are, sum + brings, sum);
+        if (!source.shadowless) sum = select(light.are, sum + highlights(at, light, n_dot_l), sum);
+    }
+    return sum;
+}
+
+}  // namespace rays::packets

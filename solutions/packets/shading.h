@@ -1,0 +1,48 @@
+// Step 2 for eight points of the same material: what they send to the viewer.
+#pragma once
+
+#include <vector>
+
+#include "3_recursion/recursion.h"
+#include "packets/hits.h"
+#include "packets/intersector.h"
+
+namespace rays::packets {
+
+/// As eight of `Surface`, all of them of one finish.
+struct Surfaces {
+    Mask are;
+    Vec3s point, normal, to_viewer;
+    Radiances color;
+    Floats opacity{1.0f};
+    Radiances clear;
+    const Finish* finish;
+};
+
+/// Points of the same material; `normal` is turned to the viewer.
+Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
+                     const Material& material);
+
+/// How much of the light number `light` gets to the points, in the given directions and distances.
+class Shadows {
+public:
+    Shadows(const PacketIntersector& intersector, const World& world)
+        : intersector_(intersector), world_(world), last_(world.scene.lights.size(), kNone) {}
+
+    Radiances visibility(std::size_t light, const Vec3s& point, Mask lanes, const Vec3s& to_light, Reals distance,
+                         const Inside& inside);
+
+private:
+    Radiances filtered(const Rays& rays, Mask open, Span span, const Inside& inside) const;
+
+    const PacketIntersector& intersector_;
+    const World& world_;
+    std::vector<std::uint32_t> last_;  ///< who blocked each light last
+};
+
+Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& surfaces, const Inside& inside);
+
+/// x^exponent for positive x; 1 for the lanes that are not asked. To less than 4 units in the last place.
+Reals power(Mask lanes, Reals x, double exponent);
+
+}  // namespace rays::packets

@@ -1,0 +1,203 @@
+// The roots and normals of step 1, for eight rays and one shape: the same formulas in the same order, so the same bits.
+// Why they are what they are stands there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "1_ray_casting/ray_casting.h"
+#include "packets/rays.h"
+
+namespace rays::packets {
+
+/// The part of the rays that counts: near < t < far.
+struct Span {
+    Reals near, far;
+    Mask contains(Reals t) const { return (near < t) & (t < far); }
+};
+
+// ---- Spheres and planes ---------------------------------------------------------------------------------------------
+
+inline Roots intersect(const Sphere& sphere, const Rays& rays, const Span& span) {
+    const Vec3s to_center = Vec3s(sphere.center) - rays.origin;
+    const Reals b = dot(to_center, rays.direction);
+    const Vec3s l = to_center - (b / rays.direction2) * rays.direction;
+    const Reals half_chord2 = Reals(sphere.radius * sphere.radius) - dot(l, l);
+    const Mask meets = half_chord2 > Reals(0);
+    if (!meets.any()) return Roots::none();
+    const Reals q = b + copysign(sqrt(rays.direction2 * half_chord2), b);
+    const Reals distance = length(to_center);
+    const Reals c = (distance - Reals(sphere.radius)) * (distance + Reals(sphere.radius));
+    const Reals t0 = q / rays.direction2, t1 = c / q;
+    const Mask ordered = t0 < t1;
+    const Reals first = select(ordered, t0, t1), second = select(ordered, t1, t0);
+    const Mask takes_first = span.contains(first);
+    return {meets & (takes_first | span.contains(second)), select(takes_first, first, second)};
+}
+inline Vec3s normal(const Sphere& sphere, const Vec3s& point) { return point - Vec3s(sphere.center); }
+
+inline Roots intersect(const Plane& plane, const Rays& rays, const Span& span) {
+    const Vec3s n(plane.normal);
+    const Reals t = (Reals(plane.offset) - dot(n, rays.origin)) / dot(n, rays.direction);
+    return {span.contains(t), t};
+}
+
+inline Roots intersect(const Disc& disc, const Rays& rays, const Span& span) {
+    const Vec3s n(disc.normal);
+    const Reals t = dot(n, Vec3s(disc.center) - rays.origin) / dot(n, rays.direction);
+    const Mask in_span = span.contains(t);
+    if (!in_span.any()) return Roots::none();
+    const Vec3s from_center = rays.at(t) - Vec3s(disc.center);
+    const Reals distance2 = dot(from_center, from_center);
+    return {in_span & (distance2 >= Reals(disc.hole_radius * disc.hole_radius)) &
+                (distance2 <= Reals(disc.radius * disc.radius)),
+            t};
+}
+
+// ---- Triangles ------------------------------------------------------------------------------------------------------
+
+/// Rays whose longest axis is the same, sheared so that they run along it.
+class ShearedRays {
+public:
+    ShearedRays(const Rays& rays, int longest_axis)
+        : x_((longest_axis + 1) % 3), y_((longest_axis + 2) % 3), z_(longest_axis) {
+        origin_ = {rays.origin[x_], rays.origin[y_], rays.origin[z_]};
+        scale_ = Reals(1) / rays.direction[z_];
+        shear_x_ = rays.direction[x_] * scale_;
+        shear_y_ = rays.direction[y_] * scale_;
+    }
+
+    Roots intersect(const Triangle& triangle, const Span& span) const {
+        const Vec3s a = from_world(triangle.a), b = from_world(triangle.b), c = from_world(triangle.c);
+        const auto edge = [](const Vec3s& p, const Vec3s& q) { return p.x * q.y - p.y * q.x; };
+        const Reals wa = edge(b, c), wb = edge(c, a), wc = edge(a, b), zero(0);
+        const Mask outside = ((wa < zero) | (wb < zero) | (wc < zero)) & ((wa > zero) | (wb > zero) | (wc > zero));
+        if (outside.bits() == kAllLanes) return Roots::none();
+        const Reals sum = wa + wb + wc;
+        const Reals t = (wa * (scale_ * a.z) + wb * (scale_ * b.z) + wc * (scale_ * c.z)) / sum;
+        return {span.contains(t) - outside, t, wb / sum, wc / sum};
+    }
+
+private:
+    Vec3s from_world(const Vec3& point) const {
+        const Reals x = Reals(point[x_]) - origin_.x, y = Reals(point[y_]) - origin_.y, z = Reals(point[z_]) - origin_.z;
+        return {x - shear_x_ * z, y - shear_y_ * z, z};
+    }
+
+    int x_, y_, z_;
+    Vec3s origin_;
+    Reals shear_x_, shear_y_, scale_;
+};
+
+inline Triangle triangle_of(const Mesh& mesh, std::uint32_t face) {
+    const auto [a, b, c] = mesh.faces[face].position;
+    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+}
+
+/// A face of a mesh, culled as in step 1.
+inline Roots intersect(const Mesh& mesh, std::uint32_t face, const Rays& rays, const ShearedRays& sheared,
+                       const Span& span) {
+    const Triangle triangle = triangle_of(mesh, face);
+    Roots roots = sheared.intersect(triangle, span);
+    if (mesh.outward_winding != 0 && roots.is.any()) {
+        const Vec3s n(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
+        const Mask back = dot(n, Reals(mesh.outward_winding) * rays.direction) > Reals(0);
+        const Vec3s from_center = rays.at(span.near) - Vec3s(mesh.bound.center);
+        const Mask from_outside = dot(from_center, from_center) > Reals(mesh.bound.radius * mesh.bound.radius);
+        roots.is = roots.is - (back & from_outside);
+    }
+    roots.part = Reals(static_cast<double>(face));
+    return roots;
+}
+
+inline Vec3s interpolate(const Vec3& a, const Vec3& b, const Vec3& c, Reals u, Reals v) {
+    const Vec3s n = (Reals(1) - u - v) * Vec3s(a) + u * Vec3s(b) + v * Vec3s(c);
+    return select(dot(n, n) > Reals(0), n, Vec3s(a));
+}
+
+// ---- Polygons -------------------------------------------------------------------------------------------------------
+
+inline Roots intersect(const Polygon& polygon, const Rays& rays, const Span& span) {
+    Roots roots = intersect(polygon.plane, rays, span);
+    if (!roots.is.any()) return roots;
+    const Vec3s point = rays.at(roots.t);
+    const Reals px = point[polygon.kept_axes[0]], py = point[polygon.kept_axes[1]];
+    Mask inside = Mask::of(0);
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : polygon.contour_ends) {
+        for (std::uint32_t to = begin, from = end - 1; to < end; from = to++) {
+            const Vec3 &a = polygon.points[from], &b = polygon.points[to];
+            const Real ax = a[polygon.kept_axes[0]], ay = a[polygon.kept_axes[1]];
+            const Real bx = b[polygon.kept_axes[0]], by = b[polygon.kept_axes[1]];
+            const Mask from_above = Reals(ay) > py, to_above = Reals(by) > py;
+            const Mask crosses = (from_above - to_above) | (to_above - from_above);
+            const Reals side = Reals(bx - ax) * (py - Reals(ay)) - Reals(by - ay) * (px - Reals(ax));
+            const Mask positive = side > Reals(0);
+            const Mask flips = by > ay ? crosses & positive : crosses - positive;
+            inside = (inside - flips) | (flips - inside);
+        }
+        begin = end;
+    }
+    roots.is = roots.is & inside;
+    return roots;
+}
+
+// ---- Boxes ----------------------------------------------------------------------------------------------------------
+
+inline Roots intersect(const Box& box, const Rays& rays, const Span& span) {
+    Reals enter(-kInfinity), leave(kInfinity), enter_side(0.0), leave_side(0.0);
+    Mask outside = Mask::of(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Reals o = rays.origin[axis], d = rays.direction[axis], lo(box.min[axis]), hi(box.max[axis]);
+        const Mask still = d == Reals(0), backwards = d < Reals(0);
+        const Reals t_lo = (lo - o) / d, t_hi = (hi - o) / d;
+        const Reals near = select(backwards, t_hi, t_lo), far = select(backwards, t_lo, t_hi);
+        const Mask within = (o >= lo) & (o <= hi);
+        outside = outside | (still - within) | (Mask::of(kAllLanes) - still - (near <= far));
+        const Mask later = (near > enter) - still, sooner = (far < leave) - still;
+        const Reals lo_side(2.0 * axis), hi_side(2.0 * axis + 1);
+        enter = select(later, near, enter);
+        enter_side = select(later, select(backwards, hi_side, lo_side), enter_side);
+        leave = select(sooner, far, leave);
+        leave_side = select(sooner, select(backwards, lo_side, hi_side), leave_side);
+    }
+    const Mask meets = (enter <= leave) - outside;
+    if (!meets.any()) return Roots::none();
+    const Mask enters = span.contains(enter);
+    return {meets & (enters | span.contains(leave)), select(enters, enter, leave), Reals(0.0), Reals(0.0),
+            select(enters, enter_side, leave_side)};
+}
+inline Vec3s box_normal(Reals part) {
+    const auto along = [&](double axis) {
+        const Mask low = part == Reals(2 * axis), high = part == Reals(2 * axis + 1);
+        return select(low, Reals(-1), select(high, Reals(1), Reals(0.0)));
+    };
+    return {along(0), along(1), along(2)};
+}
+
+// ---- Quadratic equations --------------------------------------------------------------------------------------------
+
+struct RootPairs {
+    Mask are;
+    Reals first, second;
+};
+
+/// The real roots of a t^2 + 2 b t + c; first <= second.
+inline RootPairs quadratic_roots(Reals a, Reals b, Reals c) {
+    const Reals ac = a * c, zero(0);
+    const Reals discriminant = fma(b, b, -ac) + fma(-a, c, ac);
+    const Mask are = discriminant >= zero;
+    if (!are.any()) return {are, zero, zero};
+    const Reals q = -(b + copysign(sqrt(discriminant), b));
+    const Mask at_zero = q == zero;
+    const Reals t0 = select(at_zero, zero, q / a), t1 = select(at_zero, zero, c / q);
+    const Mask ordered = t0 < t1;
+    return {are - (at_zero & (a == zero)), select(ordered, t0, t1), select(ordered, t1, t0)};
+}
+
+// ---- Cones and cylinders --------------------------------------------------------------------------------------------
+
+Roots intersect(const Cone& cone, const Rays& rays, const Span& span);
+Vec3s normal(const Cone& cone, const Vec3s& point, Reals part);
+
+}  // namespace rays::packets

@@ -1,0 +1,66 @@
+// Step 3 for blocks of pixels: the trees of their rays grow level by level. What a level meets is lit together, material by
+// material; what it mirrors makes one batch of rays, what it lets through one for each medium.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "packets/batch.h"
+#include "packets/intersector.h"
+#include "packets/shading.h"
+#include "renderer/packets.h"
+
+namespace rays::packets {
+
+class Tracer final : public PacketTracer {
+public:
+    Tracer(const PacketIntersector& intersector, World& world);
+
+    void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
+                      Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) override;
+
+private:
+    /// A batch, what it meets, and what it brings. Columns by the number of the ray.
+    struct Frame {
+        Batch batch;
+        LightColumns brought;
+
+        double distance[Block::kSize];
+        VectorColumns point, normal;  ///< the normal is turned to the viewer once the surface is lit
+        std::uint32_t object[Block::kSize], material[Block::kSize];
+
+        Numbers mirrors;  ///< rays that are mirrored, with their share of it and the weight of what they bring
+        LightColumns share;
+        float mirror_weight[Block::kSize];
+        Numbers clear;  ///< rays that go through
+        LightColumns tint;
+    };
+
+    /// The frame of rays with so many batches above.
+    Frame& frame(std::size_t depth);
+    void start(Frame& next, const Frame& from, const Inside& inside, bool straight) const;
+    void add_camera_rays(const Raster& raster, Block block, Vec2 offset, Frame& frame) const;
+
+    void trace(std::size_t depth);
+    void trace_single(Frame& frame);
+    Numbers meet(Frame& frame) const;
+    void light(Frame& frame, const Numbers& hits);
+    void divide(Frame& frame, const Chunk& chunk, const Surfaces& at);
+    void go_through(std::size_t depth);
+    void go_through(std::size_t depth, const Numbers& rays, Medium medium, Numbers& total_reflection);
+    void mirror(std::size_t depth);
+
+    /// Adds a ray of `next` that starts where ray `parent` of `from` met something, unless it is pruned: task 3.8.
+    void branch(const Frame& from, Number parent, const Spread3& directions, int lane, float weight, Frame& next);
+    Radiance absorbed(const Frame& frame, Number ray, Radiance brought) const;
+    Medium medium(const Frame& frame, Number ray) const { return medium_of(scene_, frame.object[ray]); }
+
+    const Scene& scene_;
+    const PacketIntersector& intersector_;
+    World& world_;
+    Shadows shadows_;
+    std::vector<std::unique_ptr<Frame>> frames_;
+    double* pruned_ = nullptr;  ///< of the block in hand
+};
+
+}  // namespace rays::packets
