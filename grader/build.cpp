@@ -136,6 +136,9 @@ void Builder::read_link_command() {
     link_.erase(link_.begin(), link_.begin() + 2);
     link_.resize(static_cast<std::size_t>(std::find(link_.begin(), link_.end(), "&&") - link_.begin()));
     drop_lto(link_);
+    // Packets are the solution's way through all steps at once: they would pass a student's step by. Without them the
+    // renderer's archive brings no_packets.cpp.
+    std::erase_if(link_, [](const std::string& word) { return word.find("/solution_packets.dir/") != std::string::npos; });
     drop_with_value(link_, "-o");
     for (const auto& [file, unit] : units_)
         if (std::find(link_.begin(), link_.end(), unit.solution_object) == link_.end())

@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "grader/grade_step.h"
+#include "grader/student_speed.h"
 #include "grader/student_build.h"
 #include "grader/submission/archive.h"
 #include "grader/submission/handed_in.h"
@@ -147,6 +148,15 @@ std::optional<fs::path> handed_in_folder(const Project& project, const GradeOpti
     return {};
 }
 
+// Are there charts of speed for the student's points to stand in?
+bool take_charts(const GradeOptions& options, const fs::path& out) {
+    const fs::path there = out / "charts.json";
+    if (options.charts.empty()) return fs::exists(there);
+    if (!fs::is_regular_file(options.charts)) throw InputError(options.charts.string() + ": no such file; ./rays chart writes report/out/charts.json");
+    if (!fs::exists(there) || !fs::equivalent(options.charts, there)) write_atomically(there, read_file(options.charts));
+    return true;
+}
+
 fs::path submitted_folder(const Project& project, const GradeOptions& options, const fs::path& scratch) {
     if (!options.submission) return project.root / (options.from == "solution" ? "solutions" : "steps");
     if (fs::is_directory(*options.submission)) return fs::absolute(*options.submission);
@@ -170,6 +180,7 @@ Results grade(const Project& project, const GradeOptions& options) {
     const Limits limits = limits_for(project);
     const fs::path out = fs::absolute(options.out).lexically_normal();
     fs::create_directories(out / "images");
+    const bool charted = take_charts(options, out);
     Results results = describe(project, options, limits, *sandbox);
     const auto save = [&](bool complete) {
         results.complete = complete;
@@ -202,6 +213,10 @@ Results grade(const Project& project, const GradeOptions& options) {
                         known == fingerprints.steps.end() ? nullptr : &known->second,
                         workers};
         results.steps.push_back(grade_step(order));
+        if (charted && built) {
+            say(fmt::format("timing step {}", step.number));
+            results.steps.back().speed = time_student(order.bench);
+        }
         save(false);
     }
     if (const auto folder = handed_in_folder(project, options, submission); folder && results.infrastructure_error.empty()) {

@@ -20,6 +20,7 @@ struct GradeOptions {
     std::filesystem::path out;                        ///< gets results.json, images/ and index.html
     std::optional<std::uint64_t> seed;                ///< of questions and fresh scenes; else a new one for every run
     bool report = true;
+    std::filesystem::path charts;  ///< a charts.json that `out` gets a copy of; empty: the one that is there, if any
 };
 
 /// Throws InputError for wrong use.

@@ -133,6 +133,20 @@ Json json_of(const CostScene& s) {
     return j;
 }
 
+Json json_of(const SpeedPoint& p) {
+    Json j{{"chart", p.chart}, {"series", p.series}, {"time", p.time}, {"verdict", to_string(p.verdict)}};
+    if (p.label.empty())
+        j["at"] = p.at;
+    else
+        j["label"] = p.label;
+    if (!p.message.empty()) j["message"] = p.message;
+    if (p.verdict != Verdict::pass) return j;
+    j["ratio"] = {{"median", number(p.median)}, {"low", number(p.low)}, {"high", number(p.high)}};
+    j["rounds"] = p.rounds;
+    if (p.error) j.update({{"error", number(*p.error)}, {"against", p.against}});
+    return j;
+}
+
 Json json_of(const StepResult& s) {
     Json j{{"id", s.id},
            {"number", s.number},
@@ -143,6 +157,7 @@ Json json_of(const StepResult& s) {
            {"tasks", list(s.tasks)},
            {"checks", list(s.checks)}};
     if (!s.cost_maps.empty()) j["cost_maps"] = list(s.cost_maps);
+    if (!s.speed.empty()) j["speed"] = list(s.speed);
     return j;
 }
 

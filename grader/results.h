@@ -107,6 +107,20 @@ struct CostScene {
     std::vector<CostMap> maps{};
 };
 
+/// The student's program beside the solution's, at one point of a chart of speed. No points depend on it.
+struct SpeedPoint {
+    std::string chart, series;  ///< the chart's id, and the solution's series
+    std::string label;          ///< of the solution's point; empty: it is the one at x = at
+    double at = 0;
+    std::string time{};                    ///< where the chart has time: "x", "y", or "1/x"
+    Verdict verdict = Verdict::pass;    ///< all but pass: there is no point
+    std::string message{};              ///< why there is none, or what is to be said about it
+    double median = 0, low = 0, high = 0;  ///< the student's processor time over the solution's, run in turns
+    int rounds = 0;
+    std::optional<double> error{};  ///< of the picture, as charts have it
+    std::string against{};          ///< what the error is a difference to
+};
+
 struct TaskResult {
     std::string id, title;
     Verdict verdict = Verdict::fail;
@@ -123,6 +137,7 @@ struct StepResult {
     std::vector<TaskResult> tasks;
     std::vector<Check> checks;
     std::vector<CostScene> cost_maps{};  ///< of steps that have structures
+    std::vector<SpeedPoint> speed{};     ///< when there are charts to show them in
 };
 
 /// Pictures and report, judged by grader/submission.

@@ -45,6 +45,26 @@ SceneTask scene_of(const json& j, const Step& step) {
     return scene;
 }
 
+/// {"chart","time","series","scene","width","height","settings":[{"label","add"}],"truth"} or
+/// {"chart","time","structures","counts"}
+SpeedTask speed_of(const json& j) {
+    SpeedTask task;
+    task.chart = j.at("chart");
+    task.time = j.at("time");
+    if (j.contains("structures")) {
+        j.at("structures").get_to(task.structures);
+        j.at("counts").get_to(task.counts);
+        return task;
+    }
+    task.series = j.at("series");
+    task.scene = j.at("scene");
+    task.width = j.at("width");
+    task.height = j.at("height");
+    for (const json& s : j.at("settings")) task.settings.push_back({s.at("label"), s.value("add", "")});
+    task.truth = j.value("truth", "");
+    return task;
+}
+
 Step step_of(const fs::path& folder) {
     const json j = parse(folder / "step.json");
     Step step;
@@ -57,6 +77,8 @@ Step step_of(const fs::path& folder) {
     for (const json& s : j.at("scenes")) step.scenes.push_back(scene_of(s, step));
     if (j.contains("cost_maps"))
         for (const json& c : j.at("cost_maps")) step.cost_maps.push_back({c.at("scene"), c.at("structures")});
+    if (j.contains("speed"))
+        for (const json& s : j.at("speed")) step.speed.push_back(speed_of(s));
     for (const SceneTask& s : step.scenes)
         for (const std::string& t : s.tasks)
             if (!step.find(t))

@@ -31,6 +31,25 @@ struct CostTask {
     std::vector<std::string> structures;  ///< "none", "grid", "octree", "bvh": in this order
 };
 
+/// What the student's program is timed on, for a chart of speed (tests/bench/chart.h): pictures, or rays through
+/// structures over more and more spheres.
+struct SpeedTask {
+    std::string chart;   ///< its id
+    std::string series;  ///< of the solution, whose points the student's stand beside; structures name their own
+    std::string time;    ///< where the chart has time: "x", "y", or "1/x"
+    // Pictures.
+    std::string scene;
+    int width = 0, height = 0;
+    struct Setting {
+        std::string label, add;  ///< of the solution's point, and global settings that make it
+    };
+    std::vector<Setting> settings;
+    std::string truth;  ///< settings of the solution's picture that errors are differences to; empty: no errors
+    // Structures.
+    std::vector<std::string> structures;
+    std::vector<int> counts;
+};
+
 struct Step {
     int number = 0;
     std::string id, title;
@@ -39,6 +58,7 @@ struct Step {
     std::vector<Task> tasks;
     std::vector<SceneTask> scenes;
     std::vector<CostTask> cost_maps;  ///< no points depend on them
+    std::vector<SpeedTask> speed;     ///< nor on these
 
     const Task* find(const std::string& task) const;
     double points() const;  ///< of all tasks and scenes

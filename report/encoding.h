@@ -1,4 +1,4 @@
-// Bytes for a web page: deflate, base64, SHA-256.
+// Bytes for a web page: deflate, base64 and base 91, SHA-256.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,11 @@ namespace rays::report {
 using Bytes = std::vector<std::uint8_t>;
 
 /// zlib format (RFC 1950), which browsers decode with DecompressionStream("deflate").
-enum class Effort { quick, best };
-Bytes deflate(const Bytes& bytes, Effort effort = Effort::best);
+Bytes deflate(std::string_view bytes);
+
+/// For the inside of a script element: 13 bits in two digits, a twelfth shorter than base64. The digits are the ASCII
+/// characters from # to ~ but for <, in their order. A last digit alone has 6 bits.
+std::string base91(const Bytes& bytes);
 
 /// RFC 4648, with padding.
 std::string base64(const Bytes& bytes);

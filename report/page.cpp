@@ -19,10 +19,11 @@ namespace fs = std::filesystem;
 const char* const kStyles[] = {"base.css",  "layout.css", "checks.css", "pictures.css",
                                "costs.css", "charts.css", "print.css"};
 // In this order: each builds on those before it.
-const char* const kScripts[] = {"dom.js",      "words.js",        "data.js",  "colors.js", "pixels.js",  "picture.js",
-                                "viewer.js",   "axes.js",         "chart.js", "marks.js",  "scatter.js", "ratios.js",
-                                "speed.js",    "tree_picture.js", "trees.js", "check.js",  "costs.js",   "cells.js",
-                                "overview.js", "steps.js",        "theme.js", "main.js"};
+const char* const kScripts[] = {"dom.js",         "words.js",        "data.js",    "colors.js", "bits.js",
+                                "foretelling.js", "pixels.js",       "picture.js", "viewer.js", "axes.js",
+                                "chart.js",       "marks.js",        "scatter.js", "ratios.js", "student_points.js",
+                                "speed.js",       "tree_picture.js", "trees.js",   "check.js",  "costs.js",
+                                "cells.js",       "overview.js",     "steps.js",   "theme.js",  "main.js"};
 
 std::string read_text(const fs::path& file, const std::string& what_next) {
     std::ifstream in(file, std::ios::binary);
@@ -35,6 +36,24 @@ std::string without_source_map(std::string script) {
     const std::size_t at = script.rfind("//# sourceMappingURL");
     if (at != std::string::npos) script.resize(at);
     return script;
+}
+
+/// Our own scripts and styles without indentation and without lines that are comments: a tenth of them. Texts within
+/// them must not go over several lines.
+std::string compact(const std::string& text) {
+    std::string kept;
+    bool in_comment = false;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        std::string_view line(text.data() + begin, end - begin);
+        begin = end + 1;
+        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+        in_comment = in_comment || (line.starts_with("/*") && line.find("*/") == std::string_view::npos);
+        const bool comment = in_comment || line.starts_with("//") || (line.starts_with("/*") && line.ends_with("*/"));
+        if (in_comment && line.ends_with("*/")) in_comment = false;
+        if (!comment && !line.empty()) kept.append(line) += '\n';
+    }
+    return kept;
 }
 
 /// What stands in a script or style element must not end it.
@@ -53,9 +72,10 @@ std::string hashes(const std::vector<std::string>& contents) {
     return list;
 }
 
-std::string elements(const char* name, const std::vector<std::string>& contents) {
+std::string elements(const std::string& name, const std::vector<std::string>& contents,
+                     const std::string& attributes = "") {
     std::string html;
-    for (const std::string& text : contents) html += fmt::format("<{0}>{1}</{0}>\n", name, text);
+    for (const std::string& text : contents) html += fmt::format("<{0}{2}>{1}</{0}>\n", name, text, attributes);
     return html;
 }
 
@@ -105,8 +125,8 @@ PageParts read_parts(const fs::path& folder) {
     std::string style, script;
     for (const char* name : kStyles) style += read_text(folder / "page" / name, sources);
     for (const char* name : kScripts) script += read_text(folder / "page" / name, sources);
-    parts.styles.push_back(style);
-    parts.scripts.push_back(script);
+    parts.styles.push_back(compact(style));
+    parts.modules.push_back(compact(script));
     check_inlinable(style, folder / "page");
     check_inlinable(script, folder / "page");
     parts.html = read_text(folder / "page/template.html", sources);
@@ -117,17 +137,18 @@ PageParts read_parts(const fs::path& folder) {
 
 std::string assemble(const PageParts& parts, const std::string& results, const std::vector<PictureStore::Blob>& blobs) {
     const std::string policy = fmt::format(
-        "default-src 'none'; script-src{}; style-src{}; img-src data: blob:; base-uri 'none'; form-action 'none'",
-        hashes(parts.scripts), hashes(parts.styles));
+        "default-src 'none'; script-src{}{}; style-src{}; img-src data: blob:; base-uri 'none'; form-action 'none'",
+        hashes(parts.scripts), hashes(parts.modules), hashes(parts.styles));
     std::string pixels;
     for (const auto& blob : blobs)
-        pixels += fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", blob.id, blob.base64);
+        pixels += fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", blob.id, blob.text);
     return filled(parts.html, {{"csp", policy},
                                {"styles", elements("style", parts.styles)},
                                {"notices", escaped(parts.notices)},
-                               {"results", results},
+                               {"results", base91(deflate(results))},
                                {"pixels", pixels},
-                               {"scripts", elements("script", parts.scripts)}});
+                               {"scripts", elements("script", parts.scripts) +
+                                               elements("script", parts.modules, " type=\"module\"")}});
 }
 
 }  // namespace rays::report

@@ -14,13 +14,14 @@ struct PageParts {
     std::string html;                  ///< with {{csp}} {{styles}} {{notices}} {{results}} {{pixels}} {{scripts}}
     std::vector<std::string> styles;   ///< each becomes one style element
     std::vector<std::string> scripts;  ///< each becomes one script element
+    std::vector<std::string> modules;  ///< the same, run after all of those; modules may wait for something
     std::string notices;               ///< licences of the libraries
 };
 
 /// Throws InputError saying what to run when the npm packages are missing.
 PageParts read_parts(const std::filesystem::path& report_folder);
 
-/// results: JSON made by for_script().
+/// results: JSON, which enters the page deflated.
 std::string assemble(const PageParts& parts, const std::string& results, const std::vector<PictureStore::Blob>& blobs);
 
 }  // namespace rays::report

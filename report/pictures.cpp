@@ -11,8 +11,10 @@ namespace {
 
 using nlohmann::json;
 
-/// Counts up to 2^18 stay whole; a pixel that costs more is told to five digits.
-constexpr int kCountMantissa = 17;
+/// Relative errors of 2^-9: a display shows steps of 2^-7 where it is finest.
+constexpr int kLookMantissa = 8;
+/// Bits beyond a half float's where the student's value is: an eighth of the reference's rounding.
+constexpr int kFiner = 3;
 
 /// IEC 61966-2-1, clamped: what the eye gets to see.
 float displayed(float linear) {
@@ -20,19 +22,17 @@ float displayed(float linear) {
     return v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
 }
 
-/// One bit a pixel, eight to a byte, lowest first.
-Bytes bit_map(std::size_t pixels, const std::function<bool(std::size_t)>& is_set) {
-    Bytes bytes((pixels + 7) / 8);
-    for (std::size_t i = 0; i < pixels; ++i)
-        if (is_set(i)) bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | 1u << (i % 8));
-    return bytes;
+Bitmap bitmap_of(std::size_t pixels, const std::function<bool(std::size_t)>& is_set) {
+    Bitmap bitmap(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) bitmap[i] = is_set(i);
+    return bitmap;
 }
 
 /// Where the supersampled reference jumps within a pixel: outlines of objects, shadows and checks. A jump of less than
 /// a tenth of the displayed range is a gradient to the eye.
-Bytes outlines(const Exr& reference) {
+Bitmap outlines(const Exr& reference) {
     constexpr float kJump = 0.1f;
-    return bit_map(reference.frame.pixels(), [&](std::size_t i) {
+    return bitmap_of(reference.frame.pixels(), [&](std::size_t i) {
         if (reference.low.rgb.empty() || reference.high.rgb.empty()) return false;
         for (std::size_t c = 3 * i; c < 3 * i + 3; ++c)
             if (displayed(reference.high.rgb[c]) - displayed(reference.low.rgb[c]) > kJump) return true;
@@ -57,15 +57,6 @@ bool is_explained(const Picture& student, const Exr& reference, const Allowance&
         if (!(student.rgb[c] >= low - allowance.of(low) && student.rgb[c] <= high + allowance.of(high))) return false;
     }
     return true;
-}
-
-Bytes marks_of(const Picture& student, const Exr& reference, const Allowance& allowance) {
-    const auto beyond = [&](std::size_t i) { return is_beyond(student, reference, allowance, i); };
-    Bytes marks = bit_map(student.pixels(), beyond);
-    const Bytes silhouettes = bit_map(
-        student.pixels(), [&](std::size_t i) { return beyond(i) && is_explained(student, reference, allowance, i); });
-    marks.insert(marks.end(), silhouettes.begin(), silhouettes.end());
-    return marks;
 }
 
 double number_of(const json& object, const char* key, double otherwise) {
@@ -93,54 +84,72 @@ std::string text_of(const json& object, const char* key) {
 
 double Allowance::of(float reference) const { return absolute + relative * std::abs(double{reference}); }
 
-json PictureStore::keep(const Picture& picture, const PixelCode& code, const Bytes& marks, int mantissa,
-                        std::size_t room) {
-    Bytes all = code.bytes;
-    all.insert(all.end(), marks.begin(), marks.end());
-    std::string text = base64(deflate(all));
+json PictureStore::keep(const Picture& picture, BitWriter& writer, int mantissa, std::size_t room) {
+    std::string text = base91(writer.finish());
     if (text.size() > room) throw std::runtime_error("left out to keep the page small");
     const std::string id = fmt::format("pixels-{}", blobs_.size());
     bytes_ += text.size();
     blobs_.push_back({id, std::move(text)});
-    return {{"id", id},
-            {"width", picture.width},
-            {"height", picture.height},
-            {"mantissa", mantissa},
-            {"color", code.color},
-            {"gradient", code.gradient},
-            {"base", nullptr}};
+    return {{"id", id}, {"width", picture.width}, {"height", picture.height}, {"mantissa", mantissa}};
 }
 
-json PictureStore::embed_reference(const std::filesystem::path& file, std::size_t room) {
+const PictureStore::Kept& PictureStore::embed_reference(const std::filesystem::path& file, Need need,
+                                                        std::size_t room) {
     const auto known = references_.find(file.string());
-    if (known != references_.end()) return known->second.description;
+    if (known != references_.end()) return known->second;
     auto exr = std::make_shared<const Exr>(read_picture(file));
-    const int mantissa = exact_with(exr->frame, kHalfMantissa) ? kHalfMantissa : mantissa_;
-    json blob = keep(exr->frame, encode(exr->frame, mantissa, nullptr, 0), outlines(*exr), mantissa, room);
-    blob["outlines"] = !exr->low.rgb.empty();
-    references_[file.string()] = {exr, blob};
-    return blob;
+    const int exact = exact_with(exr->frame, kHalfMantissa) ? kHalfMantissa : kHalfMantissa + kFiner;
+    const int mantissa = need == Need::compare ? exact : kLookMantissa;
+    Planes planes = ordinals(exr->frame, mantissa);
+    BitWriter writer;
+    put_planes(writer, planes, exr->frame.width, nullptr);
+    const bool has_outlines = !exr->low.rgb.empty();
+    if (has_outlines) put_bitmap(writer, outlines(*exr), exr->frame.width);
+    json blob = keep(exr->frame, writer, mantissa, room);
+    blob["outlines"] = has_outlines;
+    return references_[file.string()] = {std::move(exr), std::move(blob), std::move(planes)};
 }
 
-json PictureStore::embed_student(const Picture& student, const Exr* reference, const json& reference_blob,
-                                 const Allowance& allowance, std::size_t room) {
-    const std::string base_id = reference ? reference_blob["id"].get<std::string>() : "";
+json PictureStore::embed_student(const Picture& student, const Kept* reference, const Allowance& allowance, Need need,
+                                 std::size_t room) {
+    const std::string base = reference ? reference->description["id"].get<std::string>() : "";
+    const int mantissa = reference               ? reference->description["mantissa"].get<int>()
+                         : need == Need::compare ? kHalfMantissa
+                                                 : kLookMantissa;
     const std::string key =
-        fmt::format("{} {} {} {}", fingerprint(student), base_id, allowance.absolute, allowance.relative);
+        fmt::format("{} {} {} {} {}", fingerprint(student), base, mantissa, allowance.absolute, allowance.relative);
     const auto known = students_.find(key);
     if (known != students_.end()) return known->second;
-    const int base_mantissa = reference ? reference_blob["mantissa"].get<int>() : 0;
-    const PixelCode code = encode(student, mantissa_, reference ? &reference->frame : nullptr, base_mantissa);
-    const Bytes marks = reference ? marks_of(student, *reference, allowance) : Bytes();
-    json blob = keep(student, code, marks, mantissa_, room);
-    if (code.base) blob["base"] = base_id, blob["base_mantissa"] = base_mantissa;
-    students_[key] = blob;
-    return blob;
+    BitWriter writer;
+    const Planes planes = ordinals(student, mantissa);
+    put_planes(writer, planes, student.width, reference ? &reference->planes : nullptr);
+    const int finer = reference && mantissa == kHalfMantissa ? kFiner : 0;
+    if (reference) {
+        const Exr& truth = *reference->exr;
+        const Bitmap beyond =
+            bitmap_of(student.pixels(), [&](std::size_t i) { return is_beyond(student, truth, allowance, i); });
+        put_bitmap(writer, beyond, student.width);
+        put_bitmap(writer,
+                   bitmap_of(student.pixels(),
+                             [&](std::size_t i) { return beyond[i] && is_explained(student, truth, allowance, i); }),
+                   student.width);
+        if (finer > 0) {
+            const auto differs = [&](std::size_t i) {
+                for (std::size_t c = 0; c < 3; ++c)
+                    if (planes[c][i] != reference->planes[c][i]) return true;
+                return bool{beyond[i]};
+            };
+            put_finer(writer, student, bitmap_of(student.pixels(), differs), mantissa, finer);
+        }
+    }
+    json blob = keep(student, writer, mantissa, room);
+    if (reference) blob["base"] = base, blob["finer"] = finer;
+    return students_[key] = blob;
 }
 
-void PictureStore::embed(json& image, std::size_t room) {
+void PictureStore::embed(json& image, Need need, std::size_t room) {
     json& embedded = image["embedded"] = {{"reference", nullptr}, {"student", nullptr}, {"notes", json::array()}};
-    const Exr* reference = nullptr;
+    const Kept* reference = nullptr;
     std::size_t used = bytes_;
     const auto room_left = [&] { return room - std::min(room, bytes_ - used); };
     const auto attempt = [&](const char* whose, const std::function<void()>& work) {
@@ -151,20 +160,18 @@ void PictureStore::embed(json& image, std::size_t room) {
         }
     };
     attempt("POV-Ray's picture", [&] {
-        const auto file = folder_ / text_of(image, "reference");
-        embedded["reference"] = embed_reference(file, room_left());
-        reference = references_.at(file.string()).exr.get();
+        reference = &embed_reference(folder_ / text_of(image, "reference"), need, room_left());
+        embedded["reference"] = reference->description;
     });
     attempt("The student's picture", [&] {
-        const Exr student = read_picture(folder_ / text_of(image, "student"));
-        const bool same_size = reference && student.frame.width == reference->frame.width &&
-                               student.frame.height == reference->frame.height;
-        embedded["student"] = embed_student(student.frame, same_size ? reference : nullptr, embedded["reference"],
-                                            allowance_of(image), room_left());
-        if (reference && !same_size)
+        const Picture student = read_picture(folder_ / text_of(image, "student")).frame;
+        const Picture* truth = reference ? &reference->exr->frame : nullptr;
+        const bool same_size = truth && student.width == truth->width && student.height == truth->height;
+        embedded["student"] =
+            embed_student(student, same_size ? reference : nullptr, allowance_of(image), need, room_left());
+        if (truth && !same_size)
             embedded["notes"].push_back(fmt::format("The student's picture has {} x {} pixels, POV-Ray's {} x {}",
-                                                    student.frame.width, student.frame.height, reference->frame.width,
-                                                    reference->frame.height));
+                                                    student.width, student.height, truth->width, truth->height));
     });
 }
 
@@ -177,10 +184,10 @@ void PictureStore::embed_costs(json& map, std::size_t room) {
         const Picture costs = read_cost_map(folder_ / file);
         const std::string key = fingerprint(costs) + " costs";
         if (!students_.contains(key)) {
-            // As many bits as the largest count needs, if there is room for them.
-            int mantissa = kHalfMantissa;
-            while (mantissa_ > kHalfMantissa && mantissa < kCountMantissa && !exact_with(costs, mantissa)) ++mantissa;
-            students_[key] = keep(costs, encode(costs, mantissa, nullptr, 0), {}, mantissa, room);
+            BitWriter writer;
+            put_planes(writer, counts(costs), costs.width, nullptr);
+            students_[key] = keep(costs, writer, 0, room);
+            students_[key]["counts"] = true;
         }
         map["embedded"] = students_[key];
     } catch (const std::exception& e) {

@@ -32,24 +32,30 @@ Exr read_picture(const std::filesystem::path& file);
 /// Throws as read_picture does.
 Picture read_cost_map(const std::filesystem::path& file);
 
+/// What a picture in the page is for.
+enum class Need {
+    compare,  ///< every value counts: as many bits as POV-Ray's own pictures have, and more where the student's differ
+    look,     ///< nothing to compare with: finer than a display's steps at any exposure
+};
+
 /// Collects the blobs of a page. The same picture is kept once, however many checks show it.
 class PictureStore {
 public:
-    /// mantissa: bits kept of the student's values, at least kHalfMantissa.
-    PictureStore(std::filesystem::path folder, int mantissa) : folder_(std::move(folder)), mantissa_(mantissa) {}
+    explicit PictureStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     /// Reads the pictures of results.json's `image` and says in image["embedded"] where they are:
-    /// {"reference": blob, "student": blob, "notes": [..]}; a blob is {"id","width","height","mantissa","gradient",
-    /// "color","base","base_mantissa"}. Never throws for a bad picture: that is a note.
-    /// `room` bytes of base64 may be added; a picture that does not fit is left out with a note.
-    void embed(nlohmann::json& image, std::size_t room);
+    /// {"reference": blob, "student": blob, "notes": [..]}; a blob is
+    /// {"id","width","height","mantissa","finer","base"}. Never throws for a bad picture: that is a note. Who needs
+    /// more bits of a reference has to come first. `room` bytes of text may be added; a picture that does not fit is
+    /// left out with a note.
+    void embed(nlohmann::json& image, Need need, std::size_t room);
 
     /// The same for a map of results.json's `cost_maps`: map["embedded"] is a blob, or null, and then map["note"] says
     /// why if there should be one.
     void embed_costs(nlohmann::json& map, std::size_t room);
 
     struct Blob {
-        std::string id, base64;
+        std::string id, text;
     };
     const std::vector<Blob>& blobs() const { return blobs_; }
     std::size_t bytes() const { return bytes_; }
@@ -58,15 +64,14 @@ private:
     struct Kept {
         std::shared_ptr<const Exr> exr;
         nlohmann::json description;
+        Planes planes;
     };
-    nlohmann::json embed_reference(const std::filesystem::path& file, std::size_t room);
-    nlohmann::json embed_student(const Picture& student, const Exr* reference, const nlohmann::json& reference_blob,
-                                 const Allowance& allowance, std::size_t room);
-    nlohmann::json keep(const Picture& picture, const PixelCode& code, const Bytes& marks, int mantissa,
-                        std::size_t room);
+    const Kept& embed_reference(const std::filesystem::path& file, Need need, std::size_t room);
+    nlohmann::json embed_student(const Picture& student, const Kept* reference, const Allowance& allowance, Need need,
+                                 std::size_t room);
+    nlohmann::json keep(const Picture& picture, BitWriter& writer, int mantissa, std::size_t room);
 
     std::filesystem::path folder_;
-    int mantissa_;
     std::size_t bytes_ = 0;
     std::vector<Blob> blobs_;
     std::map<std::string, Kept> references_;          ///< by path

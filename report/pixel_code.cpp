@@ -1,81 +1,31 @@
 #include "pixel_code.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "foretelling.h"
 
 namespace rays::report {
 namespace {
 
 constexpr int kFloatMantissa = 23;
 constexpr float kSmallest = 0x1p-24f;
+constexpr float kMostCounted = 0x1p24f;  ///< whole numbers above may not be floats
 
-// Unsigned, for the arithmetic may wrap: the page does the same modulo 2^32.
-using Plane = std::vector<std::uint32_t>;
-using Planes = std::array<Plane, 3>;
-constexpr std::array<std::size_t, 3> kChannelOrder = {1, 0, 2};  // green first: the others may refer to it
+constexpr std::array<std::size_t, 3> kChannelOrder = {1, 0, 2};
 
-Planes ordinals(const Picture& picture, int mantissa) {
+template <class ToNumber>
+Planes planes_of(const Picture& picture, ToNumber to_number) {
     Planes planes;
     for (std::size_t c = 0; c < 3; ++c) {
         planes[c].reserve(picture.pixels());
         for (std::size_t i = 0; i < picture.pixels(); ++i)
-            planes[c].push_back(static_cast<std::uint32_t>(ordinal(picture.rgb[3 * i + kChannelOrder[c]], mantissa)));
+            planes[c].push_back(to_number(picture.rgb[3 * i + kChannelOrder[c]]));
     }
     return planes;
-}
-
-// M. Weinberger, G. Seroussi, G. Sapiro: The LOCO-I lossless image compression algorithm (2000), equation 1.
-std::uint32_t median_edge(std::int32_t left, std::int32_t above, std::int32_t corner) {
-    const auto [low, high] = std::minmax(left, above);
-    if (corner >= high) return static_cast<std::uint32_t>(low);
-    if (corner <= low) return static_cast<std::uint32_t>(high);
-    return static_cast<std::uint32_t>(left) + static_cast<std::uint32_t>(above) - static_cast<std::uint32_t>(corner);
-}
-
-Plane less_neighbours(const Plane& plane, int width) {
-    const auto w = static_cast<std::size_t>(width);
-    Plane residual(plane.size());
-    const auto at = [&](std::size_t i) { return static_cast<std::int32_t>(plane[i]); };
-    for (std::size_t i = 0; i < plane.size(); ++i) {
-        const bool has_left = i % w != 0, has_above = i >= w;
-        std::uint32_t guess = 0;
-        if (has_left && has_above)
-            guess = median_edge(at(i - 1), at(i - w), at(i - w - 1));
-        else if (has_left)
-            guess = plane[i - 1];
-        else if (has_above)
-            guess = plane[i - w];
-        residual[i] = plane[i] - guess;
-    }
-    return residual;
-}
-
-void subtract(Plane& from, const Plane& what, int shift) {
-    for (std::size_t i = 0; i < from.size(); ++i) from[i] -= what[i] << shift;
-}
-
-Bytes byte_planes(const Planes& planes) {
-    Bytes bytes;
-    bytes.reserve(planes[0].size() * 12);
-    for (const Plane& plane : planes)
-        for (int shift = 0; shift < 32; shift += 8)
-            for (const std::uint32_t v : plane) {
-                const std::uint32_t zigzag = (v << 1) ^ (v >> 31 ? ~std::uint32_t{0} : 0u);
-                bytes.push_back(static_cast<std::uint8_t>(zigzag >> shift));
-            }
-    return bytes;
-}
-
-PixelCode coded(Planes planes, int width, bool gradient, bool color, bool base) {
-    if (color) {
-        subtract(planes[1], planes[0], 0);
-        subtract(planes[2], planes[0], 0);
-    }
-    if (gradient)
-        for (Plane& plane : planes) plane = less_neighbours(plane, width);
-    return {gradient, color, base, byte_planes(planes)};
 }
 
 }  // namespace
@@ -102,23 +52,43 @@ bool exact_with(const Picture& picture, int mantissa) {
                        [&](float v) { return std::isnan(v) || from_ordinal(ordinal(v, mantissa), mantissa) == v; });
 }
 
-PixelCode encode(const Picture& picture, int mantissa, const Picture* base, int base_mantissa) {
-    const Planes own = ordinals(picture, mantissa);
-    PixelCode best;
-    std::size_t best_size = 0;
-    const auto consider = [&](PixelCode code) {
-        const std::size_t size = deflate(code.bytes, Effort::quick).size();
-        if (best.bytes.empty() || size < best_size) best = std::move(code), best_size = size;
-    };
-    if (base) {
-        Planes less_base = own;
-        const Planes other = ordinals(*base, base_mantissa);
-        for (std::size_t c = 0; c < 3; ++c) subtract(less_base[c], other[c], mantissa - base_mantissa);
-        consider(coded(less_base, picture.width, false, false, true));
+Planes ordinals(const Picture& picture, int mantissa) {
+    return planes_of(picture, [&](float v) { return ordinal(v, mantissa); });
+}
+
+Planes counts(const Picture& picture) {
+    return planes_of(picture, [](float v) {
+        if (!(std::abs(v) < kMostCounted && v == std::trunc(v))) throw std::invalid_argument("not a count");
+        return static_cast<std::int32_t>(v);
+    });
+}
+
+void put_planes(BitWriter& writer, const Planes& planes, int width, const Planes* base) {
+    Foretelling foretelling(planes, base, width);
+    for (std::size_t i = 0; i < planes[0].size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) foretelling.put(writer, c, i);
+}
+
+void put_bitmap(BitWriter& writer, const Bitmap& bitmap, int width) {
+    std::vector<Chance> chances(64);
+    const auto bit = [&](std::size_t i) { return i < bitmap.size() && bitmap[i] ? 1u : 0u; };
+    for (std::size_t i = 0; i < bitmap.size(); ++i) {
+        const Around at = around(i, static_cast<std::size_t>(width), bitmap.size());
+        std::size_t context = 0;
+        for (const std::size_t neighbour : {at.w, at.n, at.nw, at.ne, at.ww, at.nn})
+            context = context << 1 | bit(neighbour);
+        writer.put(bitmap[i] ? 1 : 0, chances[context]);
     }
-    for (const bool gradient : {false, true})
-        for (const bool color : {false, true}) consider(coded(own, picture.width, gradient, color, false));
-    return best;
+}
+
+void put_finer(BitWriter& writer, const Picture& picture, const Bitmap& where, int mantissa, int more) {
+    for (std::size_t i = 0; i < where.size(); ++i)
+        for (std::size_t c = 0; c < 3 && where[i]; ++c) {
+            const float value = picture.rgb[3 * i + kChannelOrder[c]];
+            // Both are rounded, so the difference is at most half a coarse step.
+            const std::int32_t rest = ordinal(value, mantissa + more) - (ordinal(value, mantissa) << more);
+            writer.put_plain(static_cast<std::uint32_t>(rest + (1 << (more - 1))), more + 1);
+        }
 }
 
 }  // namespace rays::report

@@ -1,12 +1,13 @@
 // Float pictures in few bytes. A float is cut to a number of mantissa bits and seen as an ordinal: integers in the
-// order of the values, one apart for neighbouring values. What is stored is the ordinal less a prediction, as bytes
-// of equal weight side by side, for deflate.
+// order of the values, one apart for neighbouring values. What is stored is the ordinal less what the pixels before it
+// foretell, in the arithmetic code of bit_code.h; the page's pixels.js reads it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "encoding.h"
+#include "bit_code.h"
 
 namespace rays::report {
 
@@ -27,15 +28,24 @@ bool exact_with(const Picture& picture, int mantissa);
 std::int32_t ordinal(float value, int mantissa);
 float from_ordinal(std::int32_t ordinal, int mantissa);
 
-/// How the residuals of a picture were made; the page undoes it.
-struct PixelCode {
-    bool gradient = false;  ///< predicted from the neighbours left, above and left above (median edge detector)
-    bool color = false;     ///< red and blue stored less green
-    bool base = false;      ///< stored less the ordinals of the other picture
-    Bytes bytes;            ///< not yet deflated: zigzag residuals, 3 channels (G R B) x 4 byte planes x pixels
-};
+/// Whole numbers, a plane a channel, in the order G R B: what is green often tells the others.
+using Plane = std::vector<std::int32_t>;
+using Planes = std::array<Plane, 3>;
 
-/// The cheapest of the codes after deflate. `base` (of the same size, any mantissa not above this one) may be null.
-PixelCode encode(const Picture& picture, int mantissa, const Picture* base, int base_mantissa);
+Planes ordinals(const Picture& picture, int mantissa);
+/// The values themselves. Throws std::invalid_argument unless they are whole and below 2^24.
+Planes counts(const Picture& picture);
+
+/// `base`: a picture of the same size in the same numbers that may resemble this one, or null. Numbers are smaller
+/// than 2^28.
+void put_planes(BitWriter& writer, const Planes& planes, int width, const Planes* base);
+
+/// One bit a pixel.
+using Bitmap = std::vector<bool>;
+void put_bitmap(BitWriter& writer, const Bitmap& bitmap, int width);
+
+/// For pixels that the bitmap names: `more` further bits of mantissa, as the difference to what the coarse ordinals
+/// say.
+void put_finer(BitWriter& writer, const Picture& picture, const Bitmap& where, int mantissa, int more);
 
 }  // namespace rays::report

@@ -30,10 +30,10 @@ struct Detail {
 constexpr Detail kDetails[] = {{20'000, 60, 24}, {8'000, 40, 12}, {3'000, 20, 4}, {1'000, 8, 0}, {300, 3, 0}};
 constexpr std::size_t kMaxResults = 1'200'000;  ///< leaves most of the page to the pictures
 
-/// 13 bits are an eighth of the reference's rounding; 10 are the reference's own.
-constexpr int kMantissas[] = {13, 12, 11, 10};
-/// What these three bits are worth in the page for 160 x 120 pixels, at most.
-constexpr std::size_t kBytesBetween = 30'000;
+/// For whom pixels are kept as they compare, tried from the first to the last until the page is small enough; all
+/// others keep what one looks at. The last leaves pictures out.
+enum class Compared { all, failed, none };
+constexpr Compared kCompared[] = {Compared::all, Compared::failed, Compared::none};
 
 /// An object of this schema, whatever else it holds. `how` says which command writes such a file.
 json read_object(const fs::path& file, const std::string& wanted, const std::string& how) {
@@ -125,30 +125,43 @@ json shortened(const json& results) {
     throw InputError("results.json holds too many checks for one page");
 }
 
-/// Failed checks first: they are what the pixels are for.
-std::vector<json*> images_by_need(json& results) {
-    std::vector<json*> failed, passed;
+struct Shown {
+    json* image;
+    report::Need need;
+};
+
+/// Failed checks first: they are what the pixels are for. What is not started has nothing to compare yet.
+std::vector<Shown> images_by_need(json& results, Compared compared) {
+    std::vector<Shown> failed, passed, waiting;
     for_each_check(results, [&](json& check) {
         if (!check.contains("image") || !check["image"].is_object()) return;
-        const bool pass = check.contains("verdict") && check["verdict"] == "pass";
-        (pass ? passed : failed).push_back(&check["image"]);
+        const auto is = [&](const char* verdict) { return check.contains("verdict") && check["verdict"] == verdict; };
+        const auto need = [](bool compare) { return compare ? report::Need::compare : report::Need::look; };
+        json* image = &check["image"];
+        if (is("pass"))
+            passed.push_back({image, need(compared == Compared::all)});
+        else if (is("not started"))
+            waiting.push_back({image, report::Need::look});
+        else
+            failed.push_back({image, need(compared != Compared::none)});
     });
     failed.insert(failed.end(), passed.begin(), passed.end());
+    failed.insert(failed.end(), waiting.begin(), waiting.end());
     return failed;
 }
 
-std::string page_with(const report::PageParts& parts, json results, const fs::path& folder, int mantissa) {
-    const bool last_resort = mantissa == report::kHalfMantissa;
+std::string page_with(const report::PageParts& parts, json results, const fs::path& folder, Compared compared) {
+    const bool last_resort = compared == Compared::none;
     const std::size_t fixed = report::assemble(parts, report::for_script(results), {}).size();
-    report::PictureStore store(folder, mantissa);
-    const auto images = images_by_need(results);
+    report::PictureStore store(folder);
+    const auto images = images_by_need(results, compared);
     std::size_t cost_maps = 0;
     for_each_cost_map(results, [&](json&) { ++cost_maps; });
     // A blob's description and its element take less than this beside its bytes; so do the notes of a picture.
     const std::size_t beside = fixed + 600 * (images.size() + cost_maps) + 2000;
     const std::size_t budget = kMaxPage - std::min(kMaxPage, beside);
     const auto room = [&] { return last_resort ? budget - std::min(budget, store.bytes()) : kMaxPage * 8; };
-    for (json* image : images) store.embed(*image, room());
+    for (const auto& [image, need] : images) store.embed(*image, need, room());
     // No points depend on these: they come last.
     for_each_cost_map(results, [&](json& map) { store.embed_costs(map, room()); });
     return report::assemble(parts, report::for_script(results), store.blobs());
@@ -180,12 +193,9 @@ void write_whole(const std::string& text, const fs::path& file) {
 void write_report(const fs::path& results_json, const fs::path& html) {
     const report::PageParts parts = report::read_parts(RAYSTEPS_REPORT_FOLDER);
     json results = shortened(read_results(results_json));
-    const std::size_t images = images_by_need(results).size();
     std::string page;
-    for (const int mantissa : kMantissas) {
-        const bool hopeless = page.size() > kMaxPage + kBytesBetween * images;
-        if (hopeless && mantissa != report::kHalfMantissa) continue;
-        page = page_with(parts, results, results_json.parent_path(), mantissa);
+    for (const Compared compared : kCompared) {
+        page = page_with(parts, results, results_json.parent_path(), compared);
         if (page.size() < kMaxPage) break;
     }
     write_whole(page, html);

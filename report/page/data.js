@@ -1,5 +1,21 @@
 // The results, and what the page asks of them.
-R.results = R.object(JSON.parse(document.getElementById("results").textContent));
+/** Base 91: 13 bits in two digits, the characters from # to ~ but for <; a last digit alone has 6 bits. */
+R.unpack91 = (text) => {
+    const pairs = text.length >> 1, alone = text.length & 1, bytes = new Uint8Array((13 * pairs + 6 * alone) >> 3), digit = (i) => text.charCodeAt(i) - 35 - (text.charCodeAt(i) > 60 ? 1 : 0);
+    let at = 0, bits = 0, count = 0;
+    const put = (group, size) => {
+        bits = (bits & 0xff) << size | group;
+        for (count += size; count >= 8; count -= 8) bytes[at++] = bits >> (count - 8);
+    };
+    for (let i = 0; i < pairs; ++i) put(91 * digit(2 * i) + digit(2 * i + 1), 13);
+    if (alone) put(digit(2 * pairs), 6);
+    return bytes;
+};
+
+R.inflated = async (bytes) => new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).text();
+
+// Nothing below has anything to show before; a module may wait.
+R.results = R.object(JSON.parse(await R.inflated(R.unpack91(document.getElementById("results").textContent))));
 
 /** Whose pictures stand beside POV-Ray's. */
 R.who = R.object(R.results.submission).from === "solution" ? "Solution" : "Student";

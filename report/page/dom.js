@@ -1,6 +1,5 @@
-"use strict";
 // Raysteps' report: one namespace for the scripts of the page. All text enters the page as text, never as markup.
-const R = {};
+const R = (globalThis.R = {});
 
 /** An element. Properties: class, text, on (listeners by name), data, style (custom properties and lengths), attributes. */
 R.h = (name, props = {}, ...children) => R.fill(document.createElement(name), props, children);

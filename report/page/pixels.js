@@ -3,65 +3,54 @@ R.pixels = (() => {
     const FLOAT_MANTISSA = 23;
     const ORDER = [1, 0, 2];  // green first
 
-    const inflate = async (text) => {
-        const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-        const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
-        return new Uint8Array(await new Response(stream).arrayBuffer());
-    };
-
-    const residuals = (bytes, channel, n) => {
-        const plane = new Int32Array(n);
-        const first = channel * 4 * n;
-        for (let i = 0; i < n; ++i) {
-            const z = bytes[first + i] | bytes[first + n + i] << 8 | bytes[first + 2 * n + i] << 16 | bytes[first + 3 * n + i] << 24;
-            plane[i] = (z >>> 1) ^ -(z & 1);
-        }
-        return plane;
-    };
-
-    const addNeighbours = (plane, width) => {
-        for (let i = 0; i < plane.length; ++i) {
-            const hasLeft = i % width !== 0, hasAbove = i >= width;
-            const left = hasLeft ? plane[i - 1] : 0, above = hasAbove ? plane[i - width] : 0;
-            let guess = hasLeft ? left : above;
-            if (hasLeft && hasAbove) {
-                const corner = plane[i - width - 1], low = Math.min(left, above), high = Math.max(left, above);
-                guess = corner >= high ? low : corner <= low ? high : (left + above - corner) | 0;
-            }
-            plane[i] = (plane[i] + guess) | 0;
-        }
-    };
-
-    const add = (plane, other, shift) => {
-        for (let i = 0; i < plane.length; ++i) plane[i] = (plane[i] + (other[i] << shift)) | 0;
-    };
-
-    const toFloats = (planes, n, mantissa) => {
-        const bits = new Int32Array(3 * n);
-        const shift = FLOAT_MANTISSA - mantissa;
+    const toFloats = (out, planes, mantissa) => {
+        const bits = new Int32Array(out.buffer), shift = FLOAT_MANTISSA - mantissa;
         for (let c = 0; c < 3; ++c)
-            for (let i = 0; i < n; ++i) {
+            for (let i = 0; 3 * i < bits.length; ++i) {
                 const v = planes[c][i];
                 bits[3 * i + ORDER[c]] = v < 0 ? (-v << shift) | 0x80000000 : v << shift;
             }
-        return new Float32Array(bits.buffer);
+    };
+    /** `finer` more bits of mantissa for pixels that differ from the reference's. */
+    const refine = (out, reader, planes, where, mantissa, finer) => {
+        const bits = new Int32Array(out.buffer), shift = FLOAT_MANTISSA - mantissa - finer, half = 1 << (finer - 1);
+        for (let i = 0; 3 * i < bits.length; ++i)
+            for (let c = 0; c < 3 && where(i); ++c) {
+                const v = (planes[c][i] << finer) + reader.plain(finer + 1) - half;
+                bits[3 * i + ORDER[c]] = v < 0 ? (-v << shift) | 0x80000000 : v << shift;
+            }
+    };
+
+    // Unpacking takes a second or two altogether; the page stays alive meanwhile.
+    let breathed = performance.now();
+    const breath = async () => {
+        if (performance.now() - breathed < 50) return;
+        await new Promise((done) => setTimeout(done));
+        breathed = performance.now();
     };
 
     const known = new Map();
     const decode = async (blob) => {
-        const n = blob.width * blob.height;
-        const bytes = await inflate(document.getElementById(blob.id).textContent);
-        const planes = [0, 1, 2].map((c) => residuals(bytes, c, n));
-        if (blob.gradient) planes.forEach((plane) => addNeighbours(plane, blob.width));
-        if (blob.color) [1, 2].forEach((c) => add(planes[c], planes[0], 0));
-        if (blob.base) {
-            const base = await known.get(blob.base);
-            planes.forEach((plane, c) => add(plane, base.planes[c], blob.mantissa - blob.base_mantissa));
-        }
+        const n = blob.width * blob.height, base = blob.base ? await known.get(blob.base) : null;
+        await breath();
+        const reader = R.bits.reader(R.unpack91(document.getElementById(blob.id).textContent));
+        const planes = R.foretelling.planes(reader, blob.width, n, base?.planes);
+        const picture = {width: blob.width, height: blob.height, mantissa: blob.mantissa, planes, rgb: new Float32Array(3 * n), marked: () => false, explained: () => false};
+        if (blob.counts) planes.forEach((plane, c) => plane.subarray(0, n).forEach((v, i) => (picture.rgb[3 * i + ORDER[c]] = v)));
+        else toFloats(picture.rgb, planes, blob.mantissa);
+        const bitmap = () => {
+            const bits = R.foretelling.bitmap(reader, blob.width, n);
+            return (i) => bits[i] === 1;
+        };
         // Of the reference: outlines. Of the student's picture: pixels beyond the tolerance, and those of them on silhouettes.
-        const marks = bytes.subarray(12 * n), plane = (n + 7) >> 3;
-        const bits = (k) => (i) => (marks[k * plane + (i >> 3)] >> (i & 7) & 1) === 1;
-        return {width: blob.width, height: blob.height, mantissa: blob.mantissa, planes, rgb: toFloats(planes, n, blob.mantissa), marked: bits(0), explained: bits(1)};
+        if (blob.outlines) picture.marked = bitmap();
+        if (base) {
+            picture.marked = bitmap();
+            picture.explained = bitmap();
+            const differs = (i) => picture.marked(i) || planes.some((plane, c) => plane[i] !== base.planes[c][i]);
+            if (blob.finer) refine(picture.rgb, reader, planes, differs, blob.mantissa, blob.finer);
+        }
+        return picture;
     };
 
     const get = (blob) => {

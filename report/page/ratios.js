@@ -15,11 +15,12 @@ R.ratios = (chart) => {
     const at = (v) => ({left: `${percent(v)}%`});
     const track = (p) => R.h("div", {class: "track", "aria-hidden": "true"}, R.h("i", {class: "one", style: at(1)}),
         R.h("i", {class: "interval", "data-role": p.role, style: {...at(p.low), width: `${percent(p.high) - percent(p.low)}%`}}), R.h("i", {class: "dot", "data-role": p.role, style: at(p.x)}));
-    const several = new Set(points.map((p) => p.series)).size > 1;
+    // Beside the student's rows the only other ones need no name.
+    const several = new Set(points.filter((p) => p.role !== "student").map((p) => p.series)).size > 1, named = (p) => several || p.role === "student";
     return R.h("figure", {class: "chart speed-chart"}, R.h("figcaption", {text: title}), R.text(chart.text) && R.h("p", {class: "says", text: R.text(chart.text)}),
         R.h("div", {class: "scroll", tabindex: "0", role: "region", "aria-label": title}, R.h("table", {class: "ratios"},
             R.h("thead", {}, R.h("tr", {}, R.h("th", {scope: "col"}, R.h("span", {class: "unseen", text: "What"})), R.h("th", {scope: "col", class: "track-cell"}, R.h("span", {text: R.withUnit(axis)}),
                 R.h("div", {class: "track ticks", "aria-hidden": "true"}, ...R.ratioTicks(low, high).map((v) => R.h("span", {style: at(v), text: R.number(v, 2)})))), R.h("th", {scope: "col", text: "Median, 95 % interval"}))),
-            R.h("tbody", {}, ...points.map((p) => R.h("tr", {}, R.h("th", {scope: "row"}, several ? `${p.name}: ${p.label}` : p.label.replaceAll("_", " ")), R.h("td", {class: "track-cell"}, track(p), R.h("small", {text: p.settings})),
+            R.h("tbody", {}, ...points.map((p) => R.h("tr", {}, R.h("th", {scope: "row"}, `${named(p) ? `${p.name}: ` : ""}${p.label.replaceAll("_", " ")}`), R.h("td", {class: "track-cell"}, track(p), R.h("small", {text: p.settings})),
                 R.h("td", {class: "value"}, R.h("b", {text: R.number(p.x)}), ` (${R.number(p.low)} to ${R.number(p.high)})`)))))));
 };

@@ -11,5 +11,5 @@ R.speed = ({heading = "h2"} = {}) => {
         R.h("div", {class: "section-head step-head"}, R.h("div", {}, R.h("p", {class: "kicker", text: facts}), R.h(heading, {id: "speed-title", text: "Speed against accuracy"}))),
         R.text(R.measured.problem) && R.h("p", {class: "notice", text: R.text(R.measured.problem)}),
         ...[...R.groupBy(charts, (c) => c.step)].map(([step, list]) => R.h("div", {class: "group"}, R.h("h3", {text: `Step ${R.text(step)}`}),
-            R.h("div", {class: "checks charts"}, ...list.map((chart) => R.h("div", {class: "check"}, chart.kind === "ratios" ? R.ratios(chart) : R.scatter(chart)))))));
+            R.h("div", {class: "checks charts"}, ...list.map((chart) => R.h("div", {class: "check"}, R.speedChart(chart)))))));
 };

@@ -120,7 +120,9 @@ R.inspector = (scene) => {
     const judge = (i) => {
         const times = R.pixelError(scene, i);
         if (scene.student.explained(i)) return ["mixed", "Beyond tolerance, but within the silhouette here"];
-        if (!scene.student.marked(i)) return ["good", "Within tolerance"];
+        // Such a pixel is kept as the reference's: a difference of 0 would say too much.
+        const same = [0, 1, 2].every((c) => scene.student.planes[c][i] === scene.reference.planes[c][i]);
+        if (!scene.student.marked(i)) return ["good", same ? "Within tolerance, equal after rounding" : "Within tolerance"];
         return ["bad", Number.isFinite(times) ? `${R.number(times, 2)} × the tolerance` : "Not a finite number"];
     };
     const show = () => {
@@ -129,9 +131,11 @@ R.inspector = (scene) => {
         const values = valuesAt(i);
         values.difference = scene.comparable ? values.student.map((v, c) => v - values.reference[c]) : null;
         where.textContent = `Pixel ${scene.x}, ${scene.y}` + (scene.worst?.x === scene.x && scene.worst?.y === scene.y ? " (the worst)" : "");
+        // Pictures with nothing to compare are kept in fewer bits.
+        const digits = (scene.reference ?? scene.student).mantissa < 10 ? 3 : 5;
         for (const {whose, cells} of rows)
             cells.forEach((cell, c) => {
-                cell.textContent = values[whose] ? R.pixelNumber(values[whose][c]) : "–";
+                cell.textContent = values[whose] ? R.pixelNumber(values[whose][c], digits) : "–";
                 const beyond = whose === "difference" && values[whose] && !(Math.abs(values[whose][c]) <= scene.allowed(values.reference[c]));
                 cell.classList.toggle("beyond", Boolean(beyond));
             });

@@ -38,11 +38,11 @@ R.number = (value, digits = 3) => {
     return factor === "1" ? `10${power}` : `${factor.replace("-", "−")} × 10${power}`;
 };
 
-/** Values of pixels: five digits, and for what is tiny a power of ten. */
-R.pixelNumber = (value) => {
+/** Values of pixels: as many digits as were kept, and for what is tiny a power of ten. */
+R.pixelNumber = (value, digits = 5) => {
     if (!Number.isFinite(value) || value === 0) return R.number(value);
     const size = Math.abs(value);
-    return size < 0.002 || size >= 1e5 ? R.number(value, 4) : value.toPrecision(5).replace("-", "−");
+    return size < 0.002 || size >= 1e5 ? R.number(value, digits - 1) : value.toPrecision(digits).replace("-", "−");
 };
 
 R.points = (value) => (R.isNumber(value) ? Number(value.toFixed(2)).toString() : "–");

@@ -289,7 +289,7 @@ Radiance outgoing(World& world, const Interaction& at) {
 
 //> given
 Radiance trace(World& world, const Branch& branch) {
-    if (is_pruned(world.scene.settings, branch)) {
+    if (world.above >= kMostAbove || is_pruned(world.scene.settings, branch)) {
         world.pruned += branch.weight;
         if (query_log) [[unlikely]]
             query_log->pruned(branch.kind, branch.ray, branch.weight);
@@ -298,8 +298,11 @@ Radiance trace(World& world, const Branch& branch) {
     const LoggedRay log(branch.kind, branch.weight);
     const auto hit = world.intersector.nearest(branch.ray, {kNearest, kFarthest});
     if (!hit) return log.brings(world.scene.background);
-    return log.brings(outgoing(world, {branch, hit->t, surface_at(world.scene, *hit, -branch.ray.direction),
-                                       medium_of(world.scene, hit->object)}));
+    ++world.above;
+    const Radiance brought = outgoing(world, {branch, hit->t, surface_at(world.scene, *hit, -branch.ray.direction),
+                                              medium_of(world.scene, hit->object)});
+    --world.above;
+    return log.brings(brought);
 }
 //< given
 

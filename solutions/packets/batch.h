@@ -119,6 +119,7 @@ struct LightColumns {
 
 struct Batch {
     int count = 0;
+    int above = 0;          ///< as in World; the same for all
     int level = 0;          ///< as in Branch; the same for all
     bool straight = false;  ///< as in Branch
     Inside inside;          ///< as in Branch

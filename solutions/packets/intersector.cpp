@@ -113,12 +113,23 @@ void PacketIntersector::walk(Beam& beam, Ask ask) const {
     }
 }
 
+namespace {
+
+/// Rays whose numbers floats can hold with room to spare. What is no ray is not among them: a NaN fails every comparison.
+Mask fit_for_floats(const Rays& rays) {
+    const Reals most(1e60), least(1e-60);
+    return (dot(rays.origin, rays.origin) < most) & (rays.direction2 > least) & (rays.direction2 < most);
+}
+
+}  // namespace
+
 /// Calls together(lanes, way) for rays that go the same way, if they are enough, and returns the others.
 template <class Together>
 unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together together) {
     const Directions directions(rays.direction);
-    unsigned alone = 0;
-    for (unsigned rest = active.bits(); rest != 0;) {
+    const Mask fit = active & fit_for_floats(rays);
+    unsigned alone = (active - fit).bits();
+    for (unsigned rest = fit.bits(); rest != 0;) {
         const unsigned group = directions.like_the_first(rest);
         if (std::popcount(group) < kFewestTogether)
             alone |= group;

@@ -18,6 +18,7 @@ struct Obstacles {
 };
 
 /// Rays that go the same way walk the hierarchy together, others alone. The answers are those of single rays, bit by bit.
+/// Directions have unit length.
 class PacketIntersector {
 public:
     explicit PacketIntersector(const Scene& scene);
@@ -25,7 +26,7 @@ public:
     const Scene& scene() const { return hierarchy_->tester.scene(); }
     const Intersector& single() const { return *single_; }
 
-    /// The nearest hits in the span. `active` are the rays that ask.
+    /// The nearest hits in the span, 0 <= near. `active` are the rays that ask.
     Hits nearest(const Rays& rays, Mask active, const Span& span) const;
 
     /// Which rays meet something that casts a shadow in the span? `last` is who blocked last, to be asked first.

@@ -177,9 +177,9 @@ struct Radiances {
     template <class Radiance>
     explicit Radiances(const Radiance& all) : r(all[0]), g(all[1]), b(all[2]) {}
 
-    friend Radiances operator+(const Radiances& a, const Radiances& b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-    friend Radiances operator-(const Radiances& a, const Radiances& b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
-    friend Radiances operator*(const Radiances& a, const Radiances& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+    friend Radiances operator+(const Radiances& x, const Radiances& y) { return {x.r + y.r, x.g + y.g, x.b + y.b}; }
+    friend Radiances operator-(const Radiances& x, const Radiances& y) { return {x.r - y.r, x.g - y.g, x.b - y.b}; }
+    friend Radiances operator*(const Radiances& x, const Radiances& y) { return {x.r * y.r, x.g * y.g, x.b * y.b}; }
     friend Radiances operator*(Floats s, const Radiances& a) { return {s * a.r, s * a.g, s * a.b}; }
 };
 inline Radiances select(Mask where, const Radiances& then, const Radiances& otherwise) {

@@ -53,7 +53,7 @@ void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const 
                           Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) {
     pruned_ = pruned;
     Frame& first = frame(0);
-    first.batch.count = first.batch.level = 0;
+    first.batch.count = first.batch.above = first.batch.level = 0;
     first.batch.straight = false;
     first.batch.inside = inside;
     add_camera_rays(raster, block, offset, first);
@@ -94,6 +94,7 @@ void Tracer::trace(std::size_t depth) {
 }
 
 void Tracer::trace_single(Frame& f) {
+    world_.above = f.batch.above;
     for (int i = 0; i < f.batch.count; ++i) {
         const auto n = static_cast<Number>(i);
         Branch branch;
@@ -102,9 +103,9 @@ void Tracer::trace_single(Frame& f) {
         branch.straight = f.batch.straight;
         branch.weight = f.batch.weight[n];
         branch.inside = f.batch.inside;
-        world_.pruned = 0;
+        world_.pruned = pruned_[f.batch.pixel[n]];  // goes on from there: sums depend on their order
         f.brought.set(n, rays::trace(world_, branch));
-        pruned_[f.batch.pixel[n]] += world_.pruned;
+        pruned_[f.batch.pixel[n]] = world_.pruned;
     }
 }
 
@@ -186,6 +187,7 @@ void Tracer::divide(Frame& f, const Chunk& chunk, const Surfaces& at) {
 
 void Tracer::start(Frame& next, const Frame& from, const Inside& inside, bool straight) const {
     next.batch.count = 0;
+    next.batch.above = from.batch.above + 1;
     next.batch.level = from.batch.level + (from.batch.straight ? 0 : 1);
     next.batch.straight = straight;
     next.batch.inside = inside;
@@ -194,7 +196,7 @@ void Tracer::start(Frame& next, const Frame& from, const Inside& inside, bool st
 void Tracer::branch(const Frame& from, Number parent, const Spread3& directions, int lane, float weight, Frame& next) {
     Batch& batch = next.batch;
     const GlobalSettings& settings = scene_.settings;
-    if (batch.level >= settings.max_trace_level || weight < settings.adc_bailout) {
+    if (batch.above >= kMostAbove || batch.level >= settings.max_trace_level || weight < settings.adc_bailout) {
         pruned_[from.batch.pixel[parent]] += weight;
         return;
     }

@@ -20,6 +20,10 @@ inline constexpr Real kNearest = Real(1e-4);
 /// Nor what is farther than this (POV-Ray's MAX_DISTANCE). A plane's horizon depends on it.
 inline constexpr Real kFarthest = 1e7;
 
+/// Nothing is traced below so many branches. max_trace_level ends trees long before, but branches that go straight on are
+/// no levels: ten thousand clear sheets in a row would fill the stack.
+inline constexpr int kMostAbove = 1000;
+
 /// What fills an object: its interior's number in Scene::interiors. An object without an interior has a medium of its
 /// own all the same, which nothing else shares: kOwnMedium + its number.
 using Medium = std::uint32_t;
@@ -82,6 +86,7 @@ struct World {
     const Intersector& intersector;
     bool sees_through = false;      ///< something lets light through: it matters which media rays are in
     bool filtered_shadows = false;  ///< and casts shadows: they are tinted
+    int above = 0;                  ///< branches above the one in hand, straight ones too
     double pruned = 0;              ///< sum of the weights of all branches that were not traced: what the pixel may
                                     ///< lack is at most this, times the brightest radiance of the scene
 };

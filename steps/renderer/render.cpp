@@ -177,7 +177,8 @@ Film render(const Scene& scene, const RenderOptions& options, Residual* residual
                 render_packets(*tracer, media, options, y, film, residuals);
             else
                 render_row(world, media, options, y, film, residuals);
-            if (reports && options.progress) options.progress(double(y + 1) / options.raster.height);
+            if (reports && options.progress)
+                options.progress(double(std::min(y + rows, options.raster.height)) / options.raster.height);
         }
     };
     const int wanted = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
 #include <regex>
 #include <stdexcept>
 
@@ -16,14 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLongest_s = 1200;  ///< of one run: slower than this nothing can be charted
-
-/// To 11 significant bits.
-double in_half(double value) {
-    if (!std::isfinite(value)) return value;
-    int exponent = 0;
-    const double fraction = std::frexp(value, &exponent);
-    return std::ldexp(std::nearbyint(std::ldexp(fraction, 11)), exponent - 11);
-}
 
 }  // namespace
 
@@ -70,22 +60,6 @@ double povray_rays(const std::string& statistics) {
     std::smatch found;
     if (!std::regex_search(statistics, found, line)) throw std::runtime_error("POV-Ray's statistics name no rays");
     return std::stod(found[2]);
-}
-
-double picture_error(const RgbImage& picture, const RgbImage& reference) {
-    if (picture.pixels.size() != reference.pixels.size() || picture.raster.width != reference.raster.width)
-        throw std::invalid_argument("pictures of different sizes cannot be compared");
-    double differences = 0, all = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        for (std::size_t lane = 0; lane < 3; ++lane) {
-            const double truth = in_half(reference.pixels[i][lane]);
-            const double difference = in_half(picture.pixels[i][lane]) - truth;
-            differences += difference * difference;
-            all += truth * truth;
-        }
-    }
-    if (!std::isfinite(differences) || !(all > 0)) return std::numeric_limits<double>::infinity();
-    return std::sqrt(differences / all);
 }
 
 RgbImage averaged(const RgbImage& fine, int side) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/camera.h"
+#include "references/picture_error.h"
 #include "references/reference.h"
 #include "support/process.h"
 
@@ -37,11 +38,6 @@ std::filesystem::path with_settings(const std::filesystem::path& scene, const st
 /// The number of rays, shadow rays left out, in the statistics (+GS) that POV-Ray has written. Throws
 /// std::runtime_error when there is none.
 double povray_rays(const std::string& statistics);
-
-/// The root of the mean squared difference to the reference, over all pixels and lanes, as a share of the reference's
-/// own root mean square. Both are rounded to half floats first, as POV-Ray's pictures are. Infinite where a picture is
-/// no number. Throws std::invalid_argument when the sizes differ.
-double picture_error(const RgbImage& picture, const RgbImage& reference);
 
 /// The mean over blocks of side x side pixels. Throws std::invalid_argument when they do not fit.
 RgbImage averaged(const RgbImage& fine, int side);

@@ -19,14 +19,20 @@ std::string SubmissionsTest::solution_with(const std::string& line, const std::s
            replaced(solution(), at, at + "\n" + line + "\n");
 }
 
-Results SubmissionsTest::run(std::vector<int> steps) const {
+void SubmissionsTest::expect_small_page(std::size_t steps) const {
+    constexpr std::size_t kWhole = 3'000'000, kFixed = 200'000;
+    EXPECT_LE(fs::file_size(out() / "index.html"), kFixed + steps * ((kWhole - kFixed) / 8));
+}
+
+Results SubmissionsTest::run(std::vector<int> steps, bool report, const fs::path& charts) const {
     fs::create_directories(submission());
     GradeOptions options;
     options.steps = std::move(steps);
     options.submission = submission();
     options.out = out();
     options.seed = 11;
-    options.report = false;
+    options.report = report;
+    options.charts = charts;
     const Results results = grade(project, options);
     EXPECT_EQ(results.infrastructure_error, "");
     const auto schema = nlohmann::json::parse(read_file(project.root / "grader" / "results.schema.json"));

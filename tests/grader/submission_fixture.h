@@ -30,8 +30,10 @@ protected:
     std::string solution_with(
         const std::string& line,
         const std::string& at = "Illumination illuminate(const Light& light, const Vec3& point) {") const;
-    /// Graded; results and summary are what they promise to be.
-    Results run(std::vector<int> steps = {kStep}) const;
+    /// Graded, with or without the page, and timed for these charts; results and summary are what they promise to be.
+    Results run(std::vector<int> steps = {kStep}, bool report = false, const std::filesystem::path& charts = {}) const;
+    /// Eight steps share the page's 3 MB, of which 0.2 MB are styles, scripts and libraries.
+    void expect_small_page(std::size_t steps) const;
 };
 
 /// Of the checks of a kind that were asked of this step alone.

@@ -14,10 +14,10 @@ TEST_F(SubmissionsTest, TheSolutionGetsFullMarks) {
     GradeOptions options;
     options.from = "solution";
     options.out = out();
-    options.report = false;
     const Results r = grade(project, options);
     EXPECT_EQ(r.infrastructure_error, "");
     ASSERT_FALSE(r.steps.empty());
+    expect_small_page(r.steps.size());
     for (const StepResult& step : r.steps) {
         EXPECT_NEAR(step.points, step.max, 1e-9) << step.id;
         for (const Check& c : step.checks) EXPECT_EQ(c.verdict, Verdict::pass) << c.id << ": " << c.message;
@@ -40,7 +40,8 @@ TEST_F(SubmissionsTest, TheSolutionGetsFullMarks) {
 }
 
 TEST_F(SubmissionsTest, AnUntouchedStarterIsNotStartedOnEveryTask) {
-    const Results r = run({});
+    const Results r = run({}, true);
+    expect_small_page(r.steps.size());
     for (const StepResult& step : r.steps) {
         EXPECT_EQ(step.verdict, Verdict::not_started) << step.id;
         EXPECT_EQ(step.points, 0);
@@ -55,6 +56,22 @@ TEST_F(SubmissionsTest, AnUntouchedStarterIsNotStartedOnEveryTask) {
                           map.whose == "student" && map.structure != "none" ? Verdict::not_started : Verdict::pass)
                     << scene.scene << ", " << map.whose << "'s " << map.structure << ": " << map.message;
     }
+}
+
+TEST_F(SubmissionsTest, WithChartsTheStudentIsTimed) {
+    put(kFile, solution_with("volatile double x = 0; for (int i = 0; i < 20; ++i) x = x + i;"));
+    write_atomically(folder.path() / "charts.json", "{}");
+    const Results r = run({kStep}, false, folder.path() / "charts.json");
+    EXPECT_TRUE(std::filesystem::exists(out() / "charts.json"));
+    const auto& points = r.steps.at(0).speed;
+    ASSERT_FALSE(points.empty());
+    for (const SpeedPoint& p : points) {
+        EXPECT_EQ(p.verdict, Verdict::pass) << p.label << ": " << p.message;
+        EXPECT_TRUE(0 < p.low && p.low <= p.median && p.median <= p.high) << p.label;
+    }
+    EXPECT_TRUE(run().steps.at(0).speed.size() == points.size()) << "the charts are there now";
+    std::filesystem::remove(out() / "charts.json");
+    EXPECT_TRUE(run().steps.at(0).speed.empty()) << "without charts nobody is timed";
 }
 
 TEST_F(SubmissionsTest, AFlatFolderIsASubmission) {

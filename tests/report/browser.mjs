@@ -6,6 +6,7 @@ import {createRequire} from "node:module";
 import {tmpdir} from "node:os";
 import {dirname, join} from "node:path";
 import {fileURLToPath, pathToFileURL} from "node:url";
+import {inflateSync} from "node:zlib";
 import {writeFixtures} from "./fixtures.mjs";
 
 const reportFolder = join(dirname(fileURLToPath(import.meta.url)), "../../report");
@@ -39,6 +40,15 @@ export const pageOf = (name) => {
     return pages.get(name);
 };
 export const sizeOf = (name) => statSync(pageOf(name)).size;
+
+/** The results that a page carries: base 91 (report/encoding.h), deflated. */
+export const resultsIn = (html) => {
+    const text = readFileSync(html, "utf8").match(/<script type="text\/plain" id="results">([^<]*)<\/script>/)[1];
+    const digits = [...text].map((c) => c.charCodeAt(0) - 35 - (c > "<" ? 1 : 0));
+    let bits = "";
+    for (let i = 0; i < digits.length; i += 2) bits += i + 1 < digits.length ? (91 * digits[i] + digits[i + 1]).toString(2).padStart(13, "0") : digits[i].toString(2).padStart(6, "0");
+    return JSON.parse(inflateSync(Buffer.from(bits.match(/.{8}/g).map((byte) => parseInt(byte, 2)))).toString());
+};
 
 // A fresh profile each time: playwright makes one and removes it.
 const browser = await chromium.launch({executablePath: chromiumPath, headless: true, args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",

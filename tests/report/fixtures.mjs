@@ -214,6 +214,21 @@ export const charts = (text = (t) => t) => ({
     ],
 });
 
+/** What the grader timed for the charts above. */
+export const speed = (text = (t) => t) => {
+    const ratio = (median) => ({ratio: {median, low: median * 0.9, high: median * 1.25}, rounds: 5, verdict: "pass"});
+    return [
+        {chart: "1.patch", series: "certified", label: "patch", time: "x", ...ratio(4), error: 0.02, against: text("max_trace_level 20")},
+        {chart: "1.povray", series: "Raysteps", label: text("one_sphere"), time: "1/x", ...ratio(3)},
+        {chart: "1.povray", series: "Raysteps", label: text("meshes"), time: "1/x", verdict: "crash", message: text("crashed: signal 11")},
+        {chart: "4.knobs", series: "octree", at: 100, time: "y", ...ratio(2), message: text("3 of 20 rays are answered otherwise than by asking all")},
+        {chart: "4.knobs", series: "octree", at: 77, time: "y", ...ratio(2)},
+        {chart: "4.knobs", series: text("none"), at: 60, time: "y", ...ratio(2)},
+        {chart: "4.knobs", series: "octree", at: 60, time: "y", verdict: "pass", ratio: {median: -1, low: null, high: "x"}},
+        {chart: text("9.none"), series: "x", time: "x", ...ratio(2)}, null, 7,
+    ];
+};
+
 /** An EXR file that promises 10^9 x 10^9 pixels: its header alone, valid up to there. */
 const absurdExr = () => {
     const parts = [Buffer.from([0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0])];
@@ -257,6 +272,9 @@ export const writeFixtures = async (folder, makePictures) => {
         if (result) writeFileSync(paths[name], JSON.stringify(result));
     };
     withCharts("charted", finished({...base(), steps: [step(1, [check("1.3", "unit", "Sphere", "pass", {questions: questions("1.3", 0)})])]}), JSON.stringify(charts()));
+    const timed = (more) => finished({...base(), steps: [{...step(1, [check("1.3", "unit", "Sphere", "pass", {questions: questions("1.3", 0)})]), speed: speed(more)}]});
+    withCharts("timed", timed((t) => t), JSON.stringify(charts()));
+    withCharts("hostile-timed", timed((t) => HOSTILE + t), JSON.stringify(charts((t) => HOSTILE + t)));
     withCharts("charts-only", null, JSON.stringify(charts()));
     withCharts("hostile-charts", base(), JSON.stringify(charts((t) => HOSTILE + t)));
     withCharts("broken-charts", base(), '{"schema":"raysteps-charts/1",');

@@ -43,7 +43,20 @@ expect 0 'leaves out' "$render" "$scene" --needs
 expect 0 '"needed":true' "$render" "$scene" --needs --json
 expect 2 'run with --help|not expected' "$render" "$scene" --fly
 # A full disk: an error, the old picture kept, nothing half-written.
-if [ -w /dev/full ]; then expect 2 'cannot write' "$render" "$scene" -o "$dir/c.exr" --stats /dev/full; fi
+if [ -w /dev/full ]; then
+    expect 2 'cannot write' "$render" "$scene" -o "$dir/c.exr" --stats /dev/full
+    for size in 32 640; do
+        ln -s /dev/full "$dir/full.exr.partial"
+        expect 2 'cannot write the picture \(No space left on device\)' "$render" "$scene" -o "$dir/full.exr" --width $size --height 480
+        [ ! -e "$dir/full.exr" ] || { echo "FAILED: a picture without room"; failed=1; }
+    done
+fi
+# Packets and single rays: the same picture.
+for file in 3_recursion/glass_spheres 4_partitioning/sphereflake_2; do
+    expect 0 '^$' "$render" "$scenes/$file.pov" -o "$dir/packets.exr" --width 61 --height 43
+    expect 0 '^$' "$render" "$scenes/$file.pov" -o "$dir/single.exr" --width 61 --height 43 --no-packets
+    cmp "$dir/packets.exr" "$dir/single.exr" || { echo "FAILED: --no-packets changes $file"; failed=1; }
+done
 # Who has closed standard output is told so.
 if "$render" "$scene" --explain 160,120 >&- 2>"$dir/said" || ! grep -q 'standard output' "$dir/said"; then
     echo "FAILED: no standard output"
