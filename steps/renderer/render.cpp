@@ -93,10 +93,11 @@ public:
             for (int i = 0; i < side_; ++i)
                 what(Vec2((i + Real(0.5)) / side_ - Real(0.5), (j + Real(0.5)) / side_ - Real(0.5)));
     }
-    Radiance mean(const Radiance& sum) const { return (1.0f / static_cast<float>(side_ * side_)) * sum; }
+    Radiance mean(const Radiance& sum) const { return weight_ * sum; }
 
 private:
     int side_;
+    float weight_ = 1.0f / static_cast<float>(side_ * side_);
 };
 
 void render_row(World& world, const CameraMedia& media, const RenderOptions& options, int y, Film& film,
@@ -127,7 +128,7 @@ void render_packets(PacketTracer& tracer, const CameraMedia& media, const Render
             const int column = block.column(i), row = block.row(i);
             if (column >= raster.width || row >= raster.height) continue;
             film.at(column, row) = grid.mean(sum[i]);
-            residuals.add(column, row, pruned[i] / options.samples);
+            if (pruned[i] != 0) residuals.add(column, row, pruned[i] / options.samples);
         }
     }
 }
