@@ -42,8 +42,8 @@ struct Chunk {
     }
     Floats load(const float* column) const {
         if (is_run) return _mm256_loadu_ps(column + of[0]);
-        return _mm256_setr_ps(column[of[0]], column[of[1]], column[of[2]], column[of[3]], column[of[4]],
-                              column[of[5]], column[of[6]], column[of[7]]);
+        return _mm256_setr_ps(column[of[0]], column[of[1]], column[of[2]], column[of[3]], column[of[4]], column[of[5]],
+                              column[of[6]], column[of[7]]);
     }
 };
 
@@ -133,7 +133,6 @@ struct Batch {
                 {direction.of[0][n], direction.of[1][n], direction.of[2][n]}};
     }
     Rays load(const Chunk& chunk) const { return {origin.load(chunk), direction.load(chunk)}; }
-
 };
 
 }  // namespace rays::packets

@@ -18,7 +18,8 @@ using wide::kMaxFloat;
 
 class Beam {
 public:
-    Beam(const Rays& rays, Mask active, const Directions::Way& way, Reals near, Reals far) : active_(active), way_(way) {
+    Beam(const Rays& rays, Mask active, const Directions::Way& way, Reals near, Reals far)
+        : active_(active), way_(way) {
         const __m256 in = narrow(active);
         __m256 reach = _mm256_setzero_ps();
         for (int a = 0; a < 3; ++a) {
@@ -72,8 +73,8 @@ public:
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(near, far, _CMP_LE_OQ)));
     }
 
-    /// Which rays may meet a ball, or a cone, of a block: as wide::SphereRay tells, with rays and shapes in turned roles.
-    /// Directions have unit length.
+    /// Which rays may meet a ball, or a cone, of a block: as wide::SphereRay tells, with rays and shapes in turned
+    /// roles. Directions have unit length.
     unsigned rays_that_meet(const wide::SphereBlock& block, int i) const {
         const ToCenter to(*this, block, i);
         const __m256 reaches = _mm256_add_ps(_mm256_broadcast_ss(&block.radius[i]), _mm256_set1_ps(off(block)));
@@ -105,8 +106,7 @@ public:
             normal2 = _mm256_fmadd_ps(normal, normal, normal2);
         }
         const __m256 size = _mm256_set1_ps(2 * off(block.around) * std::sqrt(axis2));
-        const __m256 most =
-            _mm256_fmadd_ps(_mm256_broadcast_ss(&block.radius[i]), _mm256_sqrt_ps(normal2), size);
+        const __m256 most = _mm256_fmadd_ps(_mm256_broadcast_ss(&block.radius[i]), _mm256_sqrt_ps(normal2), size);
         const __m256 distance = _mm256_andnot_ps(_mm256_set1_ps(-0.0f), along_normal);
         return balls & static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(distance, most, _CMP_NGT_UQ)));
     }
@@ -218,7 +218,8 @@ private:
     static constexpr float kOff = 0x1p-21f;    ///< of a corner in float, and of a root that lies a little outside
 
     __m256 near_origin_[3], far_origin_[3], inverse_min_[3], inverse_max_[3], near_, far_;
-    __m256 lane_near_origin_[3], lane_far_origin_[3], lane_near_inverse_[3], lane_far_inverse_[3], lane_near_, lane_far_;
+    __m256 lane_near_origin_[3], lane_far_origin_[3], lane_near_inverse_[3], lane_far_inverse_[3], lane_near_,
+        lane_far_;
     __m256 lane_origin_[3], lane_direction_[3];
     float reach_ = 0;
     Mask active_;

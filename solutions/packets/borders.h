@@ -1,4 +1,5 @@
-// Step 3's formulas for what surfaces do with rays, for eight rays of a batch: the same order of operations, the same bits.
+// Step 3's formulas for what surfaces do with rays, for eight rays of a batch: the same order of operations, the same
+// bits.
 #pragma once
 
 #include <algorithm>

@@ -6,15 +6,14 @@
 
 namespace rays::packets {
 
-/// As eight of `Hit`, as far as shading asks. In memory, since lanes are written group by group and sometimes one by one.
+/// As eight of `Hit`, as far as shading asks. In memory, since lanes are written group by group and sometimes one by
+/// one.
 struct Hits {
     unsigned are = 0;  ///< which rays have met something
     Spread t;
     struct Vectors {
         Spread x, y, z;
-        Vec3s load() const {
-            return {Reals::load(x.lane), Reals::load(y.lane), Reals::load(z.lane)};
-        }
+        Vec3s load() const { return {Reals::load(x.lane), Reals::load(y.lane), Reals::load(z.lane)}; }
         Vec3 operator[](int i) const { return {x[i], y[i], z[i]}; }
         void set(int i, const Vec3& v) { x.lane[i] = v.x, y.lane[i] = v.y, z.lane[i] = v.z; }
         void set(Mask where, const Vec3s& v) {

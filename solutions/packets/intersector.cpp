@@ -14,7 +14,11 @@ class PacketIntersector::Asked {
 public:
     /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
     Asked(const Rays& rays_, const Span& span_, const Beam& beam, const Mask& open, const Reals& nearest)
-        : rays(rays_), active(beam.active()), span(span_), open_(open), nearest_(nearest),
+        : rays(rays_),
+          active(beam.active()),
+          span(span_),
+          open_(open),
+          nearest_(nearest),
           longest_axis_(beam.longest_axis()) {}
 
     /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
@@ -115,7 +119,8 @@ void PacketIntersector::walk(Beam& beam, Ask ask) const {
 
 namespace {
 
-/// Rays whose numbers floats can hold with room to spare. What is no ray is not among them: a NaN fails every comparison.
+/// Rays whose numbers floats can hold with room to spare. What is no ray is not among them: a NaN fails every
+/// comparison.
 Mask fit_for_floats(const Rays& rays) {
     const Reals most(1e60), least(1e-60);
     return (dot(rays.origin, rays.origin) < most) & (rays.direction2 > least) & (rays.direction2 < most);
@@ -233,14 +238,19 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
     const auto& dispatch = hierarchy_->tester.dispatch(primitive);
     const Scene& s = scene();
     switch (dispatch.way) {
-        case Way::sphere: return intersect(s.spheres[dispatch.shape], asked.rays, asked.span);
-        case Way::cone: return intersect(s.cones[dispatch.shape], asked.rays, asked.span);
-        case Way::plane: return intersect(s.planes[dispatch.shape], asked.rays, asked.span);
-        case Way::triangle: return asked.sheared().intersect(s.triangles[dispatch.shape], asked.span);
+        case Way::sphere:
+            return intersect(s.spheres[dispatch.shape], asked.rays, asked.span);
+        case Way::cone:
+            return intersect(s.cones[dispatch.shape], asked.rays, asked.span);
+        case Way::plane:
+            return intersect(s.planes[dispatch.shape], asked.rays, asked.span);
+        case Way::triangle:
+            return asked.sheared().intersect(s.triangles[dispatch.shape], asked.span);
         case Way::face:
             return intersect(s.meshes[dispatch.shape], hierarchy_->tester.primitives()[primitive].part, asked.rays,
                              asked.sheared(), asked.span);
-        case Way::other: break;
+        case Way::other:
+            break;
     }
     const Primitive p = hierarchy_->tester.primitives()[primitive];
     return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.narrow_span(),
@@ -259,13 +269,12 @@ bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked,
     bool changed = false;
     each_lane(asked.active.bits(), [&](int i) {
         Candidate best;
-        if (found.is().bits() >> i & 1)
-            best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
+        if (found.is().bits() >> i & 1) best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
         tester.keep_nearer(primitive, asked.single()[i], asked.range(i), best);
         if (best.primitive == primitive)
-            changed |= found.keep_nearer({Mask::of(1u << i), Reals(best.root.t), Reals(best.root.uv.x), Reals(best.root.uv.y),
-                               Reals(static_cast<double>(best.root.part))},
-                              asked.active, primitive);
+            changed |= found.keep_nearer({Mask::of(1u << i), Reals(best.root.t), Reals(best.root.uv.x),
+                                          Reals(best.root.uv.y), Reals(static_cast<double>(best.root.part))},
+                                         asked.active, primitive);
     });
     return changed;
 }
@@ -310,8 +319,7 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
     std::uint32_t material = object.material;
     const Transform* transform = object.transform == kNone ? nullptr : &s.transforms[object.transform];
     const Vec3s world = hits.point.load();
-    const Vec3s point =
-        transform ? times(transform->inverse_linear, world) + Vec3s(transform->inverse_offset) : world;
+    const Vec3s point = transform ? times(transform->inverse_linear, world) + Vec3s(transform->inverse_offset) : world;
     const auto set_normals = [&](Vec3s n) {
         if (transform) n = normalize(times(glm::transpose(transform->inverse_linear), n));
         hits.normal.set(lanes, n);
@@ -323,10 +331,18 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
         case ShapeKind::sphere:
             set_normals(unit(normal(s.spheres[object.shape], point)));
             break;
-        case ShapeKind::plane: set_normals(unit(s.planes[object.shape].normal)); break;
-        case ShapeKind::disc: set_normals(unit(s.discs[object.shape].normal)); break;
-        case ShapeKind::polygon: set_normals(unit(s.polygons[object.shape].plane.normal)); break;
-        case ShapeKind::triangle: set_normals(flat(s.triangles[object.shape])); break;
+        case ShapeKind::plane:
+            set_normals(unit(s.planes[object.shape].normal));
+            break;
+        case ShapeKind::disc:
+            set_normals(unit(s.discs[object.shape].normal));
+            break;
+        case ShapeKind::polygon:
+            set_normals(unit(s.polygons[object.shape].plane.normal));
+            break;
+        case ShapeKind::triangle:
+            set_normals(flat(s.triangles[object.shape]));
+            break;
         case ShapeKind::cone:
             set_normals(unit(normal(s.cones[object.shape], point, found.part)));
             break;
@@ -345,9 +361,15 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
                                     : flat(triangle_of(mesh, p.part)));
             break;
         }
-        case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
-        case ShapeKind::torus: set_normals(unit(normal(s.tori[object.shape], point))); break;
-        default: set_normals(unit(box_normal(found.part))); break;
+        case ShapeKind::quadric:
+            set_normals(unit(normal(s.quadrics[object.shape], point)));
+            break;
+        case ShapeKind::torus:
+            set_normals(unit(normal(s.tori[object.shape], point)));
+            break;
+        default:
+            set_normals(unit(box_normal(found.part)));
+            break;
     }
     each_lane(lanes.bits(), [&](int i) {
         hits.object[i] = p.object;

@@ -17,8 +17,8 @@ struct Obstacles {
     Mask clear = Mask::of(0);   ///< these meet something that lets light through
 };
 
-/// Rays that go the same way walk the hierarchy together, others alone. The answers are those of single rays, bit by bit.
-/// Directions have unit length.
+/// Rays that go the same way walk the hierarchy together, others alone. The answers are those of single rays, bit by
+/// bit. Directions have unit length.
 class PacketIntersector {
 public:
     explicit PacketIntersector(const Scene& scene);

@@ -17,9 +17,7 @@ inline constexpr unsigned kAllLanes = (1u << kLanes) - 1;
 struct Mask {
     __m256d lo, hi;
 
-    unsigned bits() const {
-        return static_cast<unsigned>(_mm256_movemask_pd(lo) | _mm256_movemask_pd(hi) << 4);
-    }
+    unsigned bits() const { return static_cast<unsigned>(_mm256_movemask_pd(lo) | _mm256_movemask_pd(hi) << 4); }
     bool any() const { return bits() != 0; }
 
     static Mask of(unsigned bits) {
@@ -120,8 +118,7 @@ inline Reals length(const Vec3s& v) { return sqrt(dot(v, v)); }
 /// As GLM does it: by a multiplication.
 inline Vec3s normalize(const Vec3s& v) { return (Reals(1) / length(v)) * v; }
 inline Vec3s select(Mask where, const Vec3s& then, const Vec3s& otherwise) {
-    return {select(where, then.x, otherwise.x), select(where, then.y, otherwise.y),
-            select(where, then.z, otherwise.z)};
+    return {select(where, then.x, otherwise.x), select(where, then.y, otherwise.y), select(where, then.z, otherwise.z)};
 }
 
 /// Eight numbers that came out of lanes, to be looked at one by one.
@@ -137,7 +134,7 @@ struct Floats {
     __m256 v;
 
     Floats() = default;
-    Floats(__m256 a) : v(a) {}                        // NOLINT
+    Floats(__m256 a) : v(a) {}                     // NOLINT
     Floats(float all) : v(_mm256_set1_ps(all)) {}  // NOLINT: a number stands for eight of it
     explicit Floats(Reals a) : v(_mm256_set_m128(_mm256_cvtpd_ps(a.hi), _mm256_cvtpd_ps(a.lo))) {}
     static Floats load(const float* aligned) { return _mm256_load_ps(aligned); }
@@ -183,8 +180,7 @@ struct Radiances {
     friend Radiances operator*(Floats s, const Radiances& a) { return {s * a.r, s * a.g, s * a.b}; }
 };
 inline Radiances select(Mask where, const Radiances& then, const Radiances& otherwise) {
-    return {select(where, then.r, otherwise.r), select(where, then.g, otherwise.g),
-            select(where, then.b, otherwise.b)};
+    return {select(where, then.r, otherwise.r), select(where, then.g, otherwise.g), select(where, then.b, otherwise.b)};
 }
 
 inline Mask is_less(Floats a, Floats b) { return widen(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)); }

@@ -8,8 +8,8 @@ namespace rays::packets {
 /// Can eight rays ask this object at once? In a patch each ray goes its own way.
 bool has_packet_test(const Scene& scene, const Object& object);
 
-/// The smallest roots in the span that no clip cuts away. Of objects with a packet test; `sheared` is asked for flat ones
-/// that stand in world space only: sheared() gives ShearedRays.
+/// The smallest roots in the span that no clip cuts away. Of objects with a packet test; `sheared` is asked for flat
+/// ones that stand in world space only: sheared() gives ShearedRays.
 template <class Sheared>
 Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
                        Sheared sheared);
@@ -33,17 +33,28 @@ Roots intersect_shape(const Scene& scene, const Object& object, std::uint32_t pa
                       Sheared sheared) {
     const std::uint32_t shape = object.shape;
     switch (object.kind) {
-        case ShapeKind::sphere: return intersect(scene.spheres[shape], rays, span);
-        case ShapeKind::plane: return intersect(scene.planes[shape], rays, span);
-        case ShapeKind::triangle: return sheared().intersect(scene.triangles[shape], span);
-        case ShapeKind::smooth_triangle: return sheared().intersect(scene.smooth_triangles[shape].triangle, span);
-        case ShapeKind::mesh: return intersect(scene.meshes[shape], part, rays, sheared(), span);
-        case ShapeKind::polygon: return intersect(scene.polygons[shape], rays, span);
-        case ShapeKind::disc: return intersect(scene.discs[shape], rays, span);
-        case ShapeKind::cone: return intersect(scene.cones[shape], rays, span);
-        case ShapeKind::quadric: return intersect(scene.quadrics[shape], rays, span);
-        case ShapeKind::torus: return intersect(scene.tori[shape], rays, span);
-        default: return intersect(scene.boxes[shape], rays, span);
+        case ShapeKind::sphere:
+            return intersect(scene.spheres[shape], rays, span);
+        case ShapeKind::plane:
+            return intersect(scene.planes[shape], rays, span);
+        case ShapeKind::triangle:
+            return sheared().intersect(scene.triangles[shape], span);
+        case ShapeKind::smooth_triangle:
+            return sheared().intersect(scene.smooth_triangles[shape].triangle, span);
+        case ShapeKind::mesh:
+            return intersect(scene.meshes[shape], part, rays, sheared(), span);
+        case ShapeKind::polygon:
+            return intersect(scene.polygons[shape], rays, span);
+        case ShapeKind::disc:
+            return intersect(scene.discs[shape], rays, span);
+        case ShapeKind::cone:
+            return intersect(scene.cones[shape], rays, span);
+        case ShapeKind::quadric:
+            return intersect(scene.quadrics[shape], rays, span);
+        case ShapeKind::torus:
+            return intersect(scene.tori[shape], rays, span);
+        default:
+            return intersect(scene.boxes[shape], rays, span);
     }
 }
 

@@ -81,7 +81,8 @@ public:
 
 private:
     Vec3s from_world(const Vec3& point) const {
-        const Reals x = Reals(point[x_]) - origin_.x, y = Reals(point[y_]) - origin_.y, z = Reals(point[z_]) - origin_.z;
+        const Reals x = Reals(point[x_]) - origin_.x, y = Reals(point[y_]) - origin_.y,
+                    z = Reals(point[z_]) - origin_.z;
         return {x - shear_x_ * z, y - shear_y_ * z, z};
     }
 

@@ -58,8 +58,7 @@ void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const 
     first.batch.inside = inside;
     add_camera_rays(raster, block, offset, first);
     trace(0);
-    for (int n = 0; n < first.batch.count; ++n)
-        sum[first.batch.pixel[n]] += first.brought[static_cast<Number>(n)];
+    for (int n = 0; n < first.batch.count; ++n) sum[first.batch.pixel[n]] += first.brought[static_cast<Number>(n)];
 }
 
 void Tracer::add_camera_rays(const Raster& raster, Block block, Vec2 offset, Frame& frame) const {
@@ -113,8 +112,8 @@ void Tracer::trace_single(Frame& f) {
 Numbers Tracer::meet(Frame& f) const {
     Numbers met;
     const auto meet_chunk = [&](const Chunk& chunk) {
-        const Hits hits = intersector_.nearest(f.batch.load(chunk), Mask::of(chunk.lanes),
-                                               {Reals(kNearest), Reals(kFarthest)});
+        const Hits hits =
+            intersector_.nearest(f.batch.load(chunk), Mask::of(chunk.lanes), {Reals(kNearest), Reals(kFarthest)});
         each_lane(chunk.lanes & ~hits.are, [&](int i) { f.brought.set(chunk.of[i], scene_.background); });
         if (chunk.is_run && hits.are == kAllLanes) {
             const Number first = chunk.of[0];

@@ -8,6 +8,7 @@
 #include "1_ray_casting/ray_casting.h"
 #include "core/unfinished.h"
 #include "renderer/brute_force.h"
+#include "renderer/camera_media.h"
 #include "renderer/packets.h"
 #include "renderer/radiance.h"
 
@@ -20,24 +21,6 @@ Radiance striped(const Radiance& value, int x, int y) {
     const bool stripe = (x + y) / 4 % 2 == 0;
     return (value.is_finite() ? 0.5f * value : Radiance()) + (stripe ? Radiance(0.5f, 0.0f, 0.4f) : Radiance(0.05f));
 }
-
-/// Where camera rays start: a perspective camera stands in one place, an orthographic one everywhere.
-class CameraMedia {
-public:
-    explicit CameraMedia(const World& world)
-        : scene_(world.scene), asked_(world.sees_through),
-          fixed_(world.scene.camera.kind == Camera::Kind::perspective) {
-        if (asked_ && fixed_) media_ = media_around(scene_, scene_.camera.location);
-    }
-    /// Where all start in the same.
-    const Inside& fixed() const { return media_; }
-    Inside at(const Vec3& origin) const { return asked_ && !fixed_ ? media_around(scene_, origin) : media_; }
-
-private:
-    const Scene& scene_;
-    bool asked_, fixed_;
-    Inside media_;
-};
 
 /// From the scene's numbers to the light that they stand for. Samples of a pixel are averaged before, as in POV-Ray.
 void develop(Film& film, const Gamma& gamma) {
@@ -116,14 +99,14 @@ void render_row(World& world, const CameraMedia& media, const RenderOptions& opt
 }
 
 /// The rows y, y + 1, .. that packets cover, as far as they are in the picture.
-void render_packets(PacketTracer& tracer, const CameraMedia& media, const RenderOptions& options, int y, Film& film,
+void render_packets(PacketTracer& tracer, const Inside& media, const RenderOptions& options, int y, Film& film,
                     Residuals& residuals) {
     const Grid grid(options.samples);
     const Raster& raster = options.raster;
     for (Block block{0, y}; block.x < raster.width; block.x += Block::kSide) {
         Radiance sum[Block::kSize];
         double pruned[Block::kSize] = {};
-        grid.each([&](Vec2 offset) { tracer.add_radiance(raster, block, offset, media.fixed(), sum, pruned); });
+        grid.each([&](Vec2 offset) { tracer.add_radiance(raster, block, offset, media, sum, pruned); });
         for (int i = 0; i < Block::kSize; ++i) {
             const int column = block.column(i), row = block.row(i);
             if (column >= raster.width || row >= raster.height) continue;
@@ -131,14 +114,6 @@ void render_packets(PacketTracer& tracer, const CameraMedia& media, const Render
             if (pruned[i] != 0) residuals.add(column, row, pruned[i] / options.samples);
         }
     }
-}
-
-/// Packets take the place of the automatic choice only; and all rays of one must start in the same media.
-bool wants_packets(const Scene& scene, const RenderOptions& options) {
-    const bool from_one_place = scene.camera.kind == Camera::Kind::perspective;
-    const auto clear = [](const Material& m) { return lets_light_through(m.pigment); };
-    return options.packets && options.partition == Partition::automatic &&
-           (from_one_place || std::none_of(scene.materials.begin(), scene.materials.end(), clear));
 }
 
 }  // namespace
@@ -163,19 +138,23 @@ std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition part
 
 Film render(const Scene& scene, const RenderOptions& options, Residual* residual) {
     Film film(options.raster);
-    const auto packets = wants_packets(scene, options) ? make_packets(scene) : nullptr;
+    // Packets take the place of the automatic choice only.
+    const bool may_pack = options.packets && options.partition == Partition::automatic;
+    const auto packets = may_pack ? make_packets(scene) : nullptr;
     const auto own = packets ? nullptr : make_intersector(scene, options.partition);
     const World prototype = make_world(scene, packets ? packets->intersector() : *own);
     const CameraMedia media(prototype);
+    // All rays of a packet must start in the same media.
+    const auto everywhere = packets ? media.everywhere() : std::nullopt;
     Residuals residuals(options.raster.height);
-    const int rows = packets ? Block::kSide : 1;
+    const int rows = everywhere ? Block::kSide : 1;
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
         World world = prototype;
-        const auto tracer = packets ? packets->tracer(world) : nullptr;
+        const auto tracer = everywhere ? packets->tracer(world) : nullptr;
         for (int y = next_row.fetch_add(rows); y < options.raster.height; y = next_row.fetch_add(rows)) {
             if (tracer)
-                render_packets(*tracer, media, options, y, film, residuals);
+                render_packets(*tracer, *everywhere, options, y, film, residuals);
             else
                 render_row(world, media, options, y, film, residuals);
             if (reports && options.progress)

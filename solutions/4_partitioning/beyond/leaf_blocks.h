@@ -49,10 +49,11 @@ inline std::optional<LeafKind> together(LeafKind a, LeafKind b) {
     return round(a) && round(b) ? std::optional(LeafKind::cones) : std::nullopt;
 }
 
-/// Spheres, cones and triangles that are neither moved nor clipped go into blocks, everything else into lists.
+/// Spheres, cones and triangles that are not moved go into blocks, everything else into lists. What a clip leaves of a
+/// shape lies within it.
 inline LeafKind leaf_kind(const Scene& scene, Primitive p) {
     const Object& object = scene.objects[p.object];
-    if (object.transform != kNone || object.clip != kNone) return LeafKind::list;
+    if (object.transform != kNone) return LeafKind::list;
     switch (object.kind) {
         case ShapeKind::sphere:
             return LeafKind::spheres;
