@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
@@ -149,6 +150,31 @@ TEST(PacketPictures, AreTheSameWhereTheLightStandsOnTheSurface) {
         staged(kHead +
                "light_source { <0, 0, -1>, rgb 1 } sphere { 0, 1 finish { phong 1 specular 1 } } plane { y, -1 }"),
         {.raster = {40, 30}, .threads = 1});
+}
+
+TEST(PacketPictures, EndBelowAThousandBranches) {
+    const Scene sheets = staged(
+        "#version 3.7; global_settings { assumed_gamma 1.0 adc_bailout 0 }\n"
+        "camera { location <0, 0, -5> direction z right x up y }\n"
+        "#for (I, 1, 10000) disc { <0, 0, I / 100>, z, 50000 pigment { rgbt <1, 1, 1, 0.9999> } } #end\n");
+    const RenderOptions options{.raster = {8, 4}, .threads = 1};
+    expect_same_picture(sheets, options);
+    // What a thousand sheets let through of what is behind; the others are left out, and counted. Weights are floats: a
+    // thousand roundings of 2^-25 each.
+    EXPECT_NEAR(picture_of(sheets, options, true).residual.max, std::pow(double(0.9999f), kMostAbove), 1000 * 0x1p-25);
+}
+
+// The film of a parallel camera that nothing cuts lies in the same media everywhere; one that something cuts does not.
+TEST(PacketPictures, AreTheSameFromFilmsApartAndInside) {
+    for (const char* film : {"<0, 0, -10>", "<0, 0, -1>", "<0.5, 0, 0>", "<0, 0, 3>"})
+        expect_same_picture(
+            staged(fmt::format("#version 3.7; global_settings {{ assumed_gamma 1.0 }}\n"
+                               "camera {{ orthographic location {} right 4 * x up 3 * y direction z }}\n",
+                               film) +
+                   "background { rgb 0.3 } light_source { <4, 5, -9>, rgb 1 }\n"
+                   "sphere { 0, 1.2 pigment { rgbt <1, 0.9, 0.8, 0.8> } interior { ior 1.4 } }\n"
+                   "plane { -z, -2.5 pigment { rgbt <0.5, 1, 0.5, 0.5> } interior { ior 1.1 } }\n"),
+            {.raster = {40, 30}, .threads = 1});
 }
 
 TEST(PacketPictures, AreTheSameFromWhereFloatsEnd) {
