@@ -29,7 +29,6 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
         each_lane(lanes.bits(), [&](int i) { hits.set(i, complete_hit(s, p.object, single[i], found.root(i))); });
         return;
     }
-    std::uint32_t material = object.material;
     const Transform* transform = object.transform == kNone ? nullptr : &s.transforms[object.transform];
     const Vec3s world = hits.point.load();
     const Vec3s point = transform ? times(transform->inverse_linear, world) + Vec3s(transform->inverse_offset) : world;
@@ -67,7 +66,6 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
         case ShapeKind::mesh: {
             const Mesh& mesh = s.meshes[object.shape];
             const Mesh::Face& face = mesh.faces[p.part];
-            if (face.material != Mesh::kObjectMaterial) material = face.material;
             const auto [a, b, c] = face.normal;
             set_normals(face.smooth ? normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u,
                                                             found.v))
@@ -84,6 +82,7 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
             set_normals(unit(box_normal(found.part)));
             break;
     }
+    const std::uint32_t material = material_of(primitive);
     each_lane(lanes.bits(), [&](int i) {
         hits.object[i] = p.object;
         hits.material[i] = material;

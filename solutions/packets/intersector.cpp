@@ -205,7 +205,7 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
         walk<false>(beam, [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
-            if (!is_clear(primitive)) {
+            if (!clear_materials_[material_of(primitive)]) {
                 met.opaque = met.opaque | now;
                 return false;
             }
@@ -222,15 +222,12 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
 
 // ---- Asking one primitive -------------------------------------------------------------------------------------------
 
-bool PacketIntersector::is_clear(std::uint32_t primitive) const {
+std::uint32_t PacketIntersector::material_of(std::uint32_t primitive) const {
     const Primitive p = hierarchy_->tester.primitives()[primitive];
     const Object& object = scene().objects[p.object];
-    std::uint32_t material = object.material;
-    if (object.kind == ShapeKind::mesh) {
-        const std::uint32_t own = scene().meshes[object.shape].faces[p.part].material;
-        if (own != Mesh::kObjectMaterial) material = own;
-    }
-    return clear_materials_[material];
+    if (object.kind != ShapeKind::mesh) return object.material;
+    const std::uint32_t own = scene().meshes[object.shape].faces[p.part].material;
+    return own == Mesh::kObjectMaterial ? object.material : own;
 }
 
 /// Of a shape with a packet test.

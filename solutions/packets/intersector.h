@@ -40,7 +40,7 @@ private:
     static constexpr int kFewestTogether = 4;
 
     class Asked;
-    bool is_clear(std::uint32_t primitive) const;
+    std::uint32_t material_of(std::uint32_t primitive) const;
     bool has_packet_test(std::uint32_t primitive) const;
     template <class Together>
     static unsigned grouped(const Rays& rays, Mask active, Together together);

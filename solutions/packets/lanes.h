@@ -92,12 +92,6 @@ inline Reals copysign(Reals size, Reals sign) {
 inline Reals fma(Reals a, Reals b, Reals c) {
     return {_mm256_fmadd_pd(a.lo, b.lo, c.lo), _mm256_fmadd_pd(a.hi, b.hi, c.hi)};
 }
-inline double largest(Reals a) {
-    const __m256d four = _mm256_max_pd(a.lo, a.hi);
-    const __m128d two = _mm_max_pd(_mm256_castpd256_pd128(four), _mm256_extractf128_pd(four, 1));
-    return _mm_cvtsd_f64(_mm_max_sd(two, _mm_unpackhi_pd(two, two)));
-}
-inline double smallest(Reals a) { return -largest(-a); }
 
 struct Vec3s {
     Reals x, y, z;

@@ -28,9 +28,7 @@ bool Inside::leave(Medium medium) {
 }
 
 World make_world(const Scene& scene, const Intersector& intersector) {
-    const auto clear = [&](const Object& object) {
-        return lets_light_through(scene.materials[object.material].pigment);
-    };
+    const auto clear = [&](const Object& object) { return lets_light_through(scene, object); };
     const auto clear_caster = [&](const Object& object) { return !object.no_shadow && clear(object); };
     const auto any = [&](const auto& what) { return std::any_of(scene.objects.begin(), scene.objects.end(), what); };
     return {scene, intersector, any(clear), scene.settings.filtered_shadows && any(clear_caster)};

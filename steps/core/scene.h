@@ -1,6 +1,7 @@
 // The scene: everything the file says, as plain values in flat arrays.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -100,5 +101,16 @@ struct Scene {
     std::vector<Varying> varying;
     std::vector<std::string> notes;  ///< what the reader accepted without effect, with file:line:column
 };
+
+/// Does something of the object let light through: what it wears, or what one of its faces wears?
+inline bool lets_light_through(const Scene& scene, const Object& object) {
+    const auto clear = [&](std::uint32_t material) { return lets_light_through(scene.materials[material].pigment); };
+    if (clear(object.material)) return true;
+    if (object.kind != ShapeKind::mesh) return false;
+    const auto& faces = scene.meshes[object.shape].faces;
+    return std::any_of(faces.begin(), faces.end(), [&](const Mesh::Face& face) {
+        return face.material != Mesh::kObjectMaterial && clear(face.material);
+    });
+}
 
 }  // namespace rays

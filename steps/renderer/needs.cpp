@@ -60,7 +60,7 @@ bool any_interior(const Scene& scene, Predicate predicate) {
 bool filters_shadows(const Scene& s) {
     const bool casts = any_light(s, [](const Light& l) { return !l.shadowless; });
     return casts && s.settings.filtered_shadows && std::any_of(s.objects.begin(), s.objects.end(), [&](const Object& o) {
-        return !o.no_shadow && is_clear(s.materials[o.material]);
+        return !o.no_shadow && lets_light_through(s, o);
     });
 }
 

@@ -95,16 +95,19 @@ std::vector<WholeProgram> Laboratory::whole_programs(const std::string& folder, 
     std::vector<WholeProgram> programs;
     std::vector<Command> commands;
     for (const std::string& name : scenes_of(settings_.scenes / folder)) {
-        programs.push_back({folder + "/" + name, {}, {}});
+        programs.push_back({folder + "/" + name});
         const Picture picture{scene(folder + "/" + name + ".pov"), {side, side}};
         commands.push_back(povray_command(picture, temporary.path(), "povray.exr"));
-        commands.push_back(raysteps_command(program("render-solution"), picture, temporary.path(), "rays.exr"));
+        const auto ours = program("render-solution");
+        commands.push_back(raysteps_command(ours, picture, temporary.path(), "rays.exr"));
+        commands.push_back(raysteps_command(ours, picture, temporary.path(), "single.exr", {"--no-packets"}));
     }
     say(fmt::format("{} scenes of {} beside POV-Ray", programs.size(), folder));
     const auto times = time_in_turns(commands, settings_.long_rounds);
     for (std::size_t i = 0; i < programs.size(); ++i) {
-        programs[i].povray_s = times[2 * i];
-        programs[i].raysteps_s = times[2 * i + 1];
+        programs[i].povray_s = times[3 * i];
+        programs[i].raysteps_s = times[3 * i + 1];
+        programs[i].single_s = times[3 * i + 2];
     }
     return programs;
 }

@@ -30,8 +30,9 @@ struct BothReals {
 
 /// A scene in both renderers, round by round.
 struct WholeProgram {
-    std::string scene;                         ///< "2_phong/checkers"
-    std::vector<double> povray_s, raysteps_s;  ///< processor time of the whole process
+    std::string scene;                                   ///< "2_phong/checkers"
+    std::vector<double> povray_s = {}, raysteps_s = {};  ///< processor time of the whole process
+    std::vector<double> single_s = {};                   ///< ours without packets
 };
 
 /// A structure of step 4 with one constant changed.

@@ -10,43 +10,39 @@ namespace {
 
 constexpr int kSide = 512;
 
-/// Round by round the geometric mean over all scenes.
-std::vector<double> geometric_means(const std::vector<WholeProgram>& programs) {
-    std::vector<double> means;
-    for (std::size_t round = 0; round < programs.at(0).povray_s.size(); ++round) {
-        double logs = 0;
-        for (const WholeProgram& p : programs) logs += std::log(p.povray_s[round] / p.raysteps_s[round]);
-        means.push_back(std::exp(logs / static_cast<double>(programs.size())));
+/// POV-Ray's times over ours: a row for each scene, and the geometric mean of each round.
+Series ratios(const std::vector<WholeProgram>& programs, std::vector<double> WholeProgram::*ours, Series series) {
+    std::vector<double> means(programs.at(0).povray_s.size(), 0.0);
+    for (const WholeProgram& program : programs) {
+        const PairedTimes times = paired(program.povray_s, program.*ours);
+        series.points.push_back({.x = times.ratio,
+                                 .label = program.scene.substr(program.scene.find('/') + 1),
+                                 .settings = fmt::format("POV-Ray {:.3g} s, Raysteps {:.3g} s of processor time",
+                                                         times.first_s.median, times.second_s.median)});
+        for (std::size_t round = 0; round < means.size(); ++round)
+            means[round] += std::log(program.povray_s[round] / (program.*ours)[round]);
     }
-    return means;
-}
-
-Point row(const WholeProgram& program) {
-    const PairedTimes times = paired(program.povray_s, program.raysteps_s);
-    return {.x = times.ratio,
-            .label = program.scene.substr(program.scene.find('/') + 1),
-            .settings = fmt::format("POV-Ray {:.3g} s, Raysteps {:.3g} s of processor time", times.first_s.median,
-                                    times.second_s.median)};
+    for (double& mean : means) mean = std::exp(mean / static_cast<double>(programs.size()));
+    series.points.push_back({.x = spread(means),
+                             .label = "geometric mean",
+                             .settings = fmt::format("of {} scenes", programs.size())});
+    return series;
 }
 
 Chart against_povray(Laboratory& laboratory, int step, const std::string& folder, const std::string& title) {
     const auto programs = laboratory.whole_programs(folder, kSide);
-    Series series{.name = "Raysteps", .role = "solution"};
-    for (const WholeProgram& program : programs) series.points.push_back(row(program));
-    series.points.push_back({.x = spread(geometric_means(programs)),
-                             .label = "geometric mean",
-                             .settings = fmt::format("of {} scenes", programs.size())});
     return {.id = folder == "bench" ? "4.povray.bench" : fmt::format("{}.povray", step),
             .step = step,
             .kind = ChartKind::ratios,
             .title = title,
             .text = fmt::format(
                 "Processor time (user and system) of the whole process from start to exit, {0} x {0} pixels, "
-                "no anti-aliasing, one thread, EXR written. Pairs in turns, all scenes in each round; median and "
-                "interval.",
+                "no anti-aliasing, one thread, EXR written. In turns, all scenes in each round; median and interval. "
+                "Ray by ray (--no-packets) the picture is the same.",
                 kSide),
             .x = {"POV-Ray's time / ours", "", true},
-            .series = {series},
+            .series = {ratios(programs, &WholeProgram::raysteps_s, {.name = "Raysteps", .role = "solution"}),
+                       ratios(programs, &WholeProgram::single_s, {.name = "ray by ray", .role = "naive"})},
             .rounds = laboratory.long_rounds()};
 }
 

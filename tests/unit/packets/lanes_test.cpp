@@ -95,16 +95,6 @@ TEST(Lanes, MultiplyAndAddWithOneRounding) {
     expect_lanes("two roundings", Reals(1 + e) * Reals(1 - e) + Reals(-1), [](std::size_t) { return 0.0; });
 }
 
-TEST(Lanes, LargestAndSmallestLookAtAllLanes) {
-    for (std::size_t at = 0; at < kLanes; ++at) {
-        Lanes<double> values{};
-        values[at] = 3;
-        EXPECT_EQ(largest(together(values)), 3) << "lane " << at;
-        values[at] = -3;
-        EXPECT_EQ(smallest(together(values)), -3) << "lane " << at;
-    }
-}
-
 TEST(Lanes, FloatsAreRoundedAsCastsAreAndStayInTheirLanes) {
     const Lanes<double> values{0.1, -0.1, 1e-50, 1e50, 16777217, 1 + 0x1p-24, 1 + 0x1.8p-24, -7};
     alignas(32) float floats[kLanes];

@@ -45,6 +45,25 @@ TEST(Render, MoreSamplesAreTheMeanOfThePixel) {
     EXPECT_FLOAT_EQ(pixel("#version 3.5;"), 0.21404114f);
 }
 
+// A face that wears clear glass, of a mesh that is opaque itself: the light above it goes through to the floor.
+TEST(Render, ClearFacesOfOpaqueMeshesTintTheirShadows) {
+    const Scene scene = staged(
+        "#version 3.7; global_settings { assumed_gamma 1.0 }\n"
+        "camera { orthographic location <0, 0.5, 0> direction -y right x up z }\n"
+        "light_source { <0, 1000, 0>, rgb 1 parallel point_at 0 }\n"
+        "#declare Glass = texture { pigment { rgbf <1, 0.25, 0.5, 0.5> } }\n"
+        "plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n"
+        "mesh { triangle { <-9, 1, -9>, <9, 1, -9>, <0, 1, 9> texture { Glass } }\n"
+        "       triangle { <90, 1, 90>, <91, 1, 90>, <90, 1, 91> } texture { pigment { rgb 1 } } }\n");
+    for (const bool packets : {true, false}) {
+        const Film film = render(scene, {.raster = {1, 1}, .threads = 1, .packets = packets});
+        const Radiance through = film.at(0, 0);
+        EXPECT_FLOAT_EQ(through[0], 0.5f);
+        EXPECT_FLOAT_EQ(through[1], 0.125f);
+        EXPECT_FLOAT_EQ(through[2], 0.25f);
+    }
+}
+
 TEST(Render, ToriInOneAnotherLookTheSameInPackets) {
     std::string tori = tests::kHead + "light_source { <3,5,-4> rgb 1 }\n";
     for (int i = 0; i < 40; ++i) {
