@@ -13,6 +13,7 @@
 #include "4_partitioning/beyond/hierarchy.h"
 //< hidden
 
+
 namespace rays {
 
 //> hidden
@@ -202,7 +203,7 @@ private:
     bool ask_all(const Ray& ray, Interval range, Ask ask) const {
         BoxRay box_ray(ray, range);
         float far = kMaxFloat;
-        for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i)
+        for (std::uint32_t i = 0; i < tester_.size(); ++i)
             if (ask(i, box_ray, far)) return true;
         return false;
     }

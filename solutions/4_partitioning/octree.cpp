@@ -201,7 +201,7 @@ private:
 class Octree final : public Intersector {
 public:
     explicit Octree(const Scene& scene) : tester_(scene) {
-        Contents contents = contents_of(scene, tester_.primitives(), kSlack);
+        Contents contents = contents_of(scene, primitives_of(scene), kSlack);
         outside_ = std::move(contents.outside);
         box_ = contents.box;
         slack_ = contents.slack;

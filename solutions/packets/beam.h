@@ -59,6 +59,19 @@ public:
     }
     float far_end() const { return far_end_; }
 
+    /// From now on these rays count between `from` and `to` only.
+    void look_between(Mask rays, Reals from, Reals to) {
+        const __m256 near = Floats(from).v, far = Floats(to).v;
+        lane_near_ = select(rays, max(Floats(0.0f), Floats(near - rounding_of(near))), Floats(lane_near_)).v;
+        lane_far_ = select(rays, Floats(far + rounding_of(far)), Floats(lane_far_)).v;
+        update_ends();
+    }
+    /// From now on these rays do not count at all.
+    void leave_out(Mask rays) {
+        lane_far_ = select(rays, Floats(-1.0f), Floats(lane_far_)).v;
+        update_ends();
+    }
+
     /// Which rays may meet the box of a child: what they do together, looked at one by one.
     unsigned rays_that_meet(const wide::Node& node, unsigned child) const {
         __m256 near = lane_near_, far = lane_far_;
@@ -157,6 +170,12 @@ public:
     }
 
 private:
+    void update_ends() {
+        near_ = smallest(lane_near_, _mm256_cmp_ps(lane_far_, _mm256_setzero_ps(), _CMP_GE_OQ));
+        far_ = largest(lane_far_);
+        far_end_ = _mm256_cvtss_f32(far_);
+    }
+
     /// From the origins to the centre of a ball, and how far along the rays that is.
     struct ToCenter {
         __m256 center[3], along = _mm256_setzero_ps();

@@ -21,7 +21,7 @@ void PacketIntersector::complete(const Rays& rays, const Found& found, Hits& hit
 
 void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays& rays, const Found& found,
                                  Hits& hits) const {
-    const Primitive p = hierarchy_->tester.primitives()[primitive];
+    const Primitive p = hierarchy_->tester.primitive(primitive);
     const Scene& s = scene();
     const Object& object = s.objects[p.object];
     if (!has_packet_test(primitive)) {

@@ -4,6 +4,8 @@
 #include <bit>
 #include <optional>
 
+#include "2_phong/phong.h"
+
 namespace rays::packets {
 
 using wide::Child;
@@ -13,13 +15,13 @@ using Way = PrimitiveTester::Way;
 class PacketIntersector::Asked {
 public:
     /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
-    Asked(const Rays& rays_, const Span& span_, const Beam& beam, const Mask& open, const Reals& nearest)
+    Asked(const Rays& rays_, const Span& span_, Mask lanes, int longest_axis, const Mask& open, const Reals& nearest)
         : rays(rays_),
-          active(beam.active()),
+          active(lanes),
           span(span_),
           open_(open),
           nearest_(nearest),
-          longest_axis_(beam.longest_axis()) {}
+          longest_axis_(longest_axis) {}
 
     /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
     /// of the primitive decides.
@@ -149,7 +151,7 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span)
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
-        const Asked asked(rays, span, beam, lanes, found.t);
+        const Asked asked(rays, span, lanes, way.longest_axis, lanes, found.t);
         walk<true>(beam, [&](std::uint32_t primitive) {
             if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
             return false;
@@ -167,33 +169,45 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span)
     return hits;
 }
 
-Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span, std::uint32_t& last) const {
+Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span, const ObjectNumbers& lit,
+                                 Suspects& suspects) const {
     const Mask asking = active & (span.near < span.far);
     Mask blocked = Mask::of(0);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
-        Beam beam(rays, lanes, way, span.near, span.far);
+        std::uint32_t& suspect = suspects.of(lit[std::countr_zero(lanes.bits())]);
         Mask open = lanes;
-        const Asked asked(rays, {span.near, span.far, true}, beam, open, span.far);
-        const auto ask = [&](std::uint32_t primitive) {
+        const Asked asked(rays, {span.near, span.far, true}, lanes, way.longest_axis, open, span.far);
+        const auto blocks_all = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
-            last = primitive;
-            blocked = blocked | now;
+            suspect = primitive;
             open = open - now;
-            beam.end_at(span.far, open);
             return !open.any();
         };
-        if (last == kNone || !ask(last)) walk<false>(beam, ask);
+        if (suspect == kNone || !blocks_all(suspect)) {
+            Beam beam(rays, open, way, span.near, span.far);
+            walk<false>(beam, [&](std::uint32_t primitive) {
+                const Mask before = open;
+                if (blocks_all(primitive)) return true;
+                if (before.bits() != open.bits()) beam.leave_out(before - open);
+                return false;
+            });
+        }
+        blocked = blocked | (lanes - open);
     });
     if (alone == 0) return blocked;
     const SpreadRays single(rays);
     const Spread starts(span.near), ends(span.far);
     unsigned bits = 0;
     each_lane(alone, [&](int i) {
-        if (single_->blocked(single[i], {starts[i], ends[i]}, last)) bits |= 1u << i;
+        if (single_->blocked(single[i], {starts[i], ends[i]}, suspects.of(lit[i]))) bits |= 1u << i;
     });
     return blocked | Mask::of(bits);
 }
+
+/// Behind something clear a shadow ray passes over what is nearer than kShadowTolerance (FilteredShadows). So what is
+/// opaque blocks, unless something clear is so near before it; a little more, for rounding.
+constexpr double kPassedOver = 1.1 * kShadowTolerance;
 
 Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span& span) const {
     Obstacles met;
@@ -201,17 +215,22 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
         Beam beam(rays, lanes, way, span.near, span.far);
         Mask open = lanes;
-        const Asked asked(rays, {span.near, span.far, true}, beam, open, span.far);
+        const Asked asked(rays, {span.near, span.far, true}, lanes, way.longest_axis, open, span.far);
         walk<false>(beam, [&](std::uint32_t primitive) {
-            const Mask now = blocked_by(primitive, asked, open);
+            const PrimitiveTester::Dispatch& dispatch = hierarchy_->tester.dispatch(primitive);
+            if (!dispatch.casts) return false;
+            const bool tells_where = has_packet_test(primitive) && !dispatch.iterated;
+            const Roots roots = tells_where ? roots_of(primitive, asked) : Roots{blocked_by(primitive, asked, open)};
+            const Mask now = roots.is & open;
             if (!now.any()) return false;
             if (!clear_materials_[material_of(primitive)]) {
                 met.opaque = met.opaque | now;
+                if (tells_where) beam.look_between(now, roots.t - Reals(kPassedOver), roots.t);
                 return false;
             }
             met.clear = met.clear | now;
             open = open - now;
-            beam.end_at(span.far, open);
+            beam.leave_out(now);
             return !open.any();
         });
     });
@@ -223,7 +242,7 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
 // ---- Asking one primitive -------------------------------------------------------------------------------------------
 
 std::uint32_t PacketIntersector::material_of(std::uint32_t primitive) const {
-    const Primitive p = hierarchy_->tester.primitives()[primitive];
+    const Primitive p = hierarchy_->tester.primitive(primitive);
     const Object& object = scene().objects[p.object];
     if (object.kind != ShapeKind::mesh) return object.material;
     const std::uint32_t own = scene().meshes[object.shape].faces[p.part].material;
@@ -244,12 +263,12 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
         case Way::triangle:
             return asked.sheared().intersect(s.triangles[dispatch.shape], asked.span);
         case Way::face:
-            return intersect(s.meshes[dispatch.shape], hierarchy_->tester.primitives()[primitive].part, asked.rays,
-                             asked.sheared(), asked.span);
+            return intersect(s.meshes[dispatch.shape], dispatch.primitive.part, asked.rays, asked.sheared(),
+                             asked.span);
         case Way::other:
             break;
     }
-    const Primitive p = hierarchy_->tester.primitives()[primitive];
+    const Primitive p = dispatch.primitive;
     return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.narrow_span(),
                             [&]() -> const ShearedRays& { return asked.sheared(); });
 }
@@ -257,10 +276,10 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
 bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
     const PrimitiveTester& tester = hierarchy_->tester;
     return tester.dispatch(primitive).way != Way::other ||
-           packets::has_packet_test(scene(), scene().objects[tester.primitives()[primitive].object]);
+           packets::has_packet_test(scene(), scene().objects[tester.primitive(primitive).object]);
 }
 
-bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
+[[gnu::flatten]] bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
     const PrimitiveTester& tester = hierarchy_->tester;
     if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
     bool changed = false;
@@ -276,7 +295,7 @@ bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked,
     return changed;
 }
 
-Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const {
+[[gnu::flatten]] Mask PacketIntersector::blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const {
     const PrimitiveTester& tester = hierarchy_->tester;
     if (!tester.dispatch(primitive).casts) return Mask::of(0);
     if (has_packet_test(primitive)) return roots_of(primitive, asked).is & open;

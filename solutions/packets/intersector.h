@@ -1,7 +1,10 @@
 // The two questions of a ray tracer, asked for eight rays at once.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <memory>
+#include <vector>
 
 #include "4_partitioning/beyond/hierarchy.h"
 #include "core/intersector.h"
@@ -14,7 +17,23 @@ namespace rays::packets {
 /// What stands in the way of eight rays.
 struct Obstacles {
     Mask opaque = Mask::of(0);  ///< these are blocked
-    Mask clear = Mask::of(0);   ///< these meet something that lets light through
+    Mask clear = Mask::of(0);   ///< these meet something that lets light through, and have to walk from hit to hit
+};
+
+using ObjectNumbers = std::uint32_t[kLanes];
+
+/// Whom to ask first: who took a light away last, where the same object was lit. Neighbours on an object tend to lie in
+/// the same shadow.
+class Suspects {
+public:
+    explicit Suspects(std::size_t objects) : of_(std::bit_ceil(std::clamp<std::size_t>(objects, 1, kMost)), kNone) {}
+
+    /// A primitive, or kNone. Where there are more objects than places, some share one.
+    std::uint32_t& of(std::uint32_t object) { return of_[object & (of_.size() - 1)]; }
+
+private:
+    static constexpr std::size_t kMost = 16384;  ///< measured (NOTES.md)
+    std::vector<std::uint32_t> of_;
 };
 
 /// Rays that go the same way walk the hierarchy together, others alone. The answers are those of single rays, bit by
@@ -29,10 +48,11 @@ public:
     /// The nearest hits in the span, 0 <= near. `active` are the rays that ask.
     Hits nearest(const Rays& rays, Mask active, const Span& span) const;
 
-    /// Which rays meet something that casts a shadow in the span? `last` is who blocked last, to be asked first.
-    Mask occluded(const Rays& rays, Mask active, const Span& span, std::uint32_t& last) const;
+    /// Which rays meet something that casts a shadow in the span? They start on the objects `lit`, and `suspects` are
+    /// those of one light.
+    Mask occluded(const Rays& rays, Mask active, const Span& span, const ObjectNumbers& lit, Suspects& suspects) const;
 
-    /// The same where shadows are filtered. All that a ray meets is looked at, until something clear is found.
+    /// The same where shadows are filtered.
     Obstacles obstacles(const Rays& rays, Mask active, const Span& span) const;
 
 private:

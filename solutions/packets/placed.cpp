@@ -28,7 +28,7 @@ bool can_clip(const Object& object) {
 struct Vec4s {
     Reals x, y, z, w;
 };
-Vec4s times(const Mat4& m, const Vec4s& v) {
+[[gnu::always_inline]] inline Vec4s times(const Mat4& m, const Vec4s& v) {
     const auto row = [&](int i) {
         return (Reals(m[0][i]) * v.x + Reals(m[1][i]) * v.y) + (Reals(m[2][i]) * v.z + Reals(m[3][i]) * v.w);
     };

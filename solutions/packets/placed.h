@@ -58,17 +58,10 @@ Roots intersect_shape(const Scene& scene, const Object& object, std::uint32_t pa
     }
 }
 
+/// In the shape's own space; `rays` are those of the world, in which clips stand.
 template <class Sheared>
-Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
-                       Sheared sheared) {
-    if (object.transform == kNone && object.clip == kNone)
-        return intersect_shape(scene, object, part, rays, span, sheared);
-    Rays local = rays;
-    if (object.transform != kNone) {
-        const Transform& t = scene.transforms[object.transform];
-        local = Rays(times(t.inverse_linear, rays.origin) + Vec3s(t.inverse_offset),
-                     times(t.inverse_linear, rays.direction));
-    }
+Roots intersect_clipped(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays,
+                        const Rays& local, const Span& span, Sheared sheared) {
     if (object.clip == kNone) return intersect_shape(scene, object, part, local, span, sheared);
     // As in step 1: a root that is cut away sends the question on behind it.
     Span rest = span;
@@ -92,6 +85,16 @@ Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t p
         rest.far = select(open, rest.far, Reals(-kInfinity));
     }
     return unclipped;
+}
+
+template <class Sheared>
+Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
+                       Sheared sheared) {
+    if (object.transform == kNone) return intersect_clipped(scene, object, part, rays, rays, span, sheared);
+    const Transform& t = scene.transforms[object.transform];
+    const Rays local(times(t.inverse_linear, rays.origin) + Vec3s(t.inverse_offset),
+                     times(t.inverse_linear, rays.direction));
+    return intersect_clipped(scene, object, part, rays, local, span, sheared);
 }
 
 }  // namespace rays::packets

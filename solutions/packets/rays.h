@@ -77,7 +77,7 @@ private:
 /// A root for each lane of `is`.
 struct Roots {
     Mask is;
-    Reals t, u{0.0}, v{0.0}, part{0.0};  ///< as in Root
+    Reals t{0.0}, u{0.0}, v{0.0}, part{0.0};  ///< as in Root
 
     static Roots none() { return {Mask::of(0), Reals(0.0)}; }
 };

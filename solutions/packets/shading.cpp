@@ -166,12 +166,13 @@ Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const V
     return at;
 }
 
-Radiances Shadows::visibility(std::size_t light, const Vec3s& point, Mask lanes, const Vec3s& to_light, Reals distance,
+Radiances Shadows::visibility(std::size_t light, const Surfaces& at, Mask lanes, const Vec3s& to_light, Reals distance,
                               const Inside& inside) {
-    const Rays rays(point, to_light);
+    const Rays rays(at.point, to_light);
     const Span span{Reals(kShadowTolerance), distance - Reals(kShadowTolerance)};
     const Radiances all{Floats(1.0f), Floats(1.0f), Floats(1.0f)}, none;
-    if (!world_.filtered_shadows) return select(intersector_.occluded(rays, lanes, span, last_[light]), none, all);
+    if (!world_.filtered_shadows)
+        return select(intersector_.occluded(rays, lanes, span, at.object, suspects_[light]), none, all);
     const Obstacles met = intersector_.obstacles(rays, lanes, span);
     const Radiances left = select(met.opaque, none, all);
     return met.clear.any() ? select(met.clear, filtered(rays, met.clear, span, inside), left) : left;
@@ -231,7 +232,7 @@ Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& at,
         if (!light.are.any()) continue;
         if (!source.shadowless) {
             light.radiance =
-                light.radiance * shadows.visibility(i, at.point, light.are, light.to_light, light.distance, inside);
+                light.radiance * shadows.visibility(i, at, light.are, light.to_light, light.distance, inside);
             light.are = light.are & is_not_black(light.radiance);
             if (!light.are.any()) continue;
         }

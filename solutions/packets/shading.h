@@ -17,6 +17,7 @@ struct Surfaces {
     Floats opacity{1.0f};
     Radiances clear;
     const Finish* finish;
+    ObjectNumbers object;
 };
 
 /// Points of the same material; `normal` is turned to the viewer.
@@ -27,9 +28,11 @@ Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const V
 class Shadows {
 public:
     Shadows(const PacketIntersector& intersector, const World& world)
-        : intersector_(intersector), world_(world), last_(world.scene.lights.size(), kNone) {}
+        : intersector_(intersector),
+          world_(world),
+          suspects_(world.scene.lights.size(), Suspects(world.scene.objects.size())) {}
 
-    Radiances visibility(std::size_t light, const Vec3s& point, Mask lanes, const Vec3s& to_light, Reals distance,
+    Radiances visibility(std::size_t light, const Surfaces& at, Mask lanes, const Vec3s& to_light, Reals distance,
                          const Inside& inside);
 
 private:
@@ -37,7 +40,7 @@ private:
 
     const PacketIntersector& intersector_;
     const World& world_;
-    std::vector<std::uint32_t> last_;  ///< who blocked each light last
+    std::vector<Suspects> suspects_;  ///< of each light
 };
 
 Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& surfaces, const Inside& inside);

@@ -27,17 +27,33 @@ Numbers take_alike(Numbers& numbers, Property property) {
     return alike;
 }
 
-/// Step 1's camera_ray for two rows of four pixels, its direction made of unit length.
-Rays camera_rays(const Camera& camera, const Raster& raster, int column, int row, Vec2 offset) {
-    const Reals columns = Reals(column) + Reals(_mm256_setr_pd(0, 1, 2, 3), _mm256_setr_pd(0, 1, 2, 3));
-    const Reals rows = Reals(row) + Reals(_mm256_setzero_pd(), _mm256_set1_pd(1));
-    const Reals from_left = (columns + Reals(0.5) + Reals(offset.x)) / Reals(raster.width);
-    const Reals from_top = (rows + Reals(0.5) + Reals(offset.y)) / Reals(raster.height);
-    const Reals x = from_left - Reals(0.5), y = Reals(0.5) - from_top;
-    const Vec3s right(camera.right), up(camera.up), direction(camera.direction), location(camera.location);
-    if (camera.kind == Camera::Kind::orthographic) return {location + x * right + y * up, normalize(direction)};
-    return {location, normalize(direction + x * right + y * up)};
-}
+/// Step 1's camera_ray for the pixels of a block, directions made of unit length.
+class CameraRays {
+public:
+    CameraRays(const Camera& camera, const Raster& raster, Block block, Vec2 offset) : camera_(camera) {
+        static_assert(Block::kSide == kLanes);
+        const Reals count(_mm256_setr_pd(0, 1, 2, 3), _mm256_setr_pd(4, 5, 6, 7));
+        const Reals from_left = (Reals(block.x) + count + Reals(0.5) + Reals(offset.x)) / Reals(raster.width);
+        const Reals from_top = (Reals(block.y) + count + Reals(0.5) + Reals(offset.y)) / Reals(raster.height);
+        column_ = from_left - Reals(0.5);
+        row_ = Spread(Reals(0.5) - from_top);
+    }
+
+    /// Those from `first` on: two rows of four pixels.
+    Rays eight(int first) const {
+        const int row = first / (2 * Block::kSide) * 2;
+        const __m256d columns = first / kLanes % 2 == 0 ? column_.lo : column_.hi;
+        const Reals x(columns, columns), y(_mm256_set1_pd(row_[row]), _mm256_set1_pd(row_[row + 1]));
+        const Vec3s right(camera_.right), up(camera_.up), direction(camera_.direction), location(camera_.location);
+        if (camera_.kind == Camera::Kind::orthographic) return {location + x * right + y * up, normalize(direction)};
+        return {location, normalize(direction + x * right + y * up)};
+    }
+
+private:
+    const Camera& camera_;
+    Reals column_;  ///< on the film, from the left to the right edge -1/2 to 1/2
+    Spread row_;    ///< downwards, 1/2 to -1/2
+};
 
 }  // namespace
 
@@ -64,8 +80,9 @@ void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const 
 void Tracer::add_camera_rays(const Raster& raster, Block block, Vec2 offset, Frame& frame) const {
     Batch& batch = frame.batch;
     std::fill(batch.weight, batch.weight + Block::kSize, 1.0f);
+    const CameraRays camera_rays(scene_.camera, raster, block, offset);
     for (int first = 0; first < Block::kSize; first += kLanes) {
-        const Rays rays = camera_rays(scene_.camera, raster, block.column(first), block.row(first), offset);
+        const Rays rays = camera_rays.eight(first);
         if (block.column(first + 3) < raster.width && block.row(first + 4) < raster.height) {
             batch.origin.store(batch.count, rays.origin);
             batch.direction.store(batch.count, rays.direction);
@@ -148,8 +165,9 @@ void Tracer::light(Frame& f, const Numbers& hits) {
     const Reflection& mirror = material.finish.reflection;
     const bool goes_on = lets_light_through(material.pigment) || !mirror.max.is_black() || !mirror.min.is_black();
     each_chunk(hits, [&](const Chunk& chunk) {
-        const Surfaces at = surfaces_at(scene_, Mask::of(chunk.lanes), f.point.load(chunk), f.normal.load(chunk),
+        Surfaces at = surfaces_at(scene_, Mask::of(chunk.lanes), f.point.load(chunk), f.normal.load(chunk),
                                         -f.batch.direction.load(chunk), material);
+        for (int i = 0; i < kLanes; ++i) at.object[i] = f.object[chunk.of[i]];
         f.brought.store(chunk, chunk.lanes, direct_light(scene_, shadows_, at, f.batch.inside));
         if (goes_on) divide(f, chunk, at);
     });

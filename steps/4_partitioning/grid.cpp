@@ -56,7 +56,7 @@ constexpr Real kSlack = Real(1e-5);
 
 class Grid final : public Intersector {
 public:
-    explicit Grid(const Scene& scene) : tester_(scene) { build(contents_of(scene, tester_.primitives(), kSlack)); }
+    explicit Grid(const Scene& scene) : tester_(scene) { build(contents_of(scene, primitives_of(scene), kSlack)); }
 
 private:
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {

@@ -19,7 +19,7 @@ std::vector<Primitive> primitives_of(const Scene& scene) {
     return primitives;
 }
 
-PrimitiveTester::PrimitiveTester(const Scene& scene) : scene_(&scene), primitives_(primitives_of(scene)) {
+PrimitiveTester::PrimitiveTester(const Scene& scene) : scene_(&scene) {
     const auto way_of = [](const Object& object) {
         if (object.transform != kNone || object.clip != kNone) return Way::other;
         switch (object.kind) {
@@ -31,11 +31,12 @@ PrimitiveTester::PrimitiveTester(const Scene& scene) : scene_(&scene), primitive
             default: return Way::other;
         }
     };
-    dispatch_.reserve(primitives_.size());
-    for (const Primitive& p : primitives_) {
+    const std::vector<Primitive> primitives = primitives_of(scene);
+    dispatch_.reserve(primitives.size());
+    for (const Primitive& p : primitives) {
         const Object& object = scene.objects[p.object];
         const bool iterated = object.kind == ShapeKind::torus || object.kind == ShapeKind::bicubic_patch;
-        dispatch_.push_back({object.shape, way_of(object), iterated, !object.no_shadow});
+        dispatch_.push_back({p, object.shape, way_of(object), iterated, !object.no_shadow});
     }
 }
 
@@ -64,11 +65,11 @@ private:
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
         Candidate best;
         if (!is_ray(ray)) return std::nullopt;
-        for (std::uint32_t i = 0; i < tester_.primitives().size(); ++i) tester_.keep_nearer(i, ray, range, best);
+        for (std::uint32_t i = 0; i < tester_.size(); ++i) tester_.keep_nearer(i, ray, range, best);
         return tester_.complete(ray, best);
     }
     bool find_occluder(const Ray& ray, Interval range) const override {
-        for (std::uint32_t i = 0; is_ray(ray) && i < tester_.primitives().size(); ++i)
+        for (std::uint32_t i = 0; is_ray(ray) && i < tester_.size(); ++i)
             if (tester_.blocks(i, ray, range)) return true;
         return false;
     }

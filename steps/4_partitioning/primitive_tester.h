@@ -23,7 +23,8 @@ public:
     explicit PrimitiveTester(const Scene& scene);
 
     const Scene& scene() const { return *scene_; }
-    const std::vector<Primitive>& primitives() const { return primitives_; }
+    std::size_t size() const { return dispatch_.size(); }
+    Primitive primitive(std::uint32_t number) const { return dispatch_[number].primitive; }
 
     /// Keeps the nearer of `best` and this primitive's root in (range.min, range.max); at equal t the smaller number.
     /// Any order of calls ends with the same best.
@@ -37,8 +38,9 @@ public:
     // are asked without detours.
     enum class Way : std::uint8_t { sphere, face, triangle, cone, plane, other };
 
-    /// What the test of a primitive needs to know, side by side: 8 bytes beside the primitive's own 8.
+    /// What the test of a primitive needs to know, side by side: among millions, each place in memory is waited for.
     struct Dispatch {
+        Primitive primitive;
         std::uint32_t shape;
         Way way;
         /// Its roots are iterated from the ends of the range: a range cut short would make the last bits depend on the
@@ -49,19 +51,18 @@ public:
     const Dispatch& dispatch(std::uint32_t primitive) const { return dispatch_[primitive]; }
 
 private:
-    std::optional<Root> ask(const Dispatch& d, std::uint32_t primitive, const Ray& ray, Interval range) const {
+    std::optional<Root> ask(const Dispatch& d, const Ray& ray, Interval range) const {
         if (effort) [[unlikely]]
             ++effort->tests;
         switch (d.way) {
             case Way::sphere: return intersect(scene_->spheres[d.shape], ray, range);
-            case Way::face: return intersect(scene_->meshes[d.shape], primitives_[primitive].part, ray, range);
+            case Way::face: return intersect(scene_->meshes[d.shape], d.primitive.part, ray, range);
             case Way::triangle: return intersect(scene_->triangles[d.shape], ray, range);
             case Way::cone: return intersect(scene_->cones[d.shape], ray, range);
             case Way::plane: return intersect(scene_->planes[d.shape], ray, range);
             case Way::other: break;
         }
-        const Primitive p = primitives_[primitive];
-        return intersect_part(*scene_, scene_->objects[p.object], p.part, ray, range);
+        return intersect_part(*scene_, scene_->objects[d.primitive.object], d.primitive.part, ray, range);
     }
 
     /// The smallest number above t.
@@ -70,7 +71,6 @@ private:
     }
 
     const Scene* scene_;
-    std::vector<Primitive> primitives_;
     std::vector<Dispatch> dispatch_;
 };
 
@@ -79,7 +79,7 @@ inline void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray
     const Dispatch& d = dispatch_[primitive];
     // A little beyond the best root, so that one at equal t is seen too; the rule for ties then decides.
     if (best.primitive != kNone && !d.iterated) range.max = just_above(best.root.t);
-    const auto root = ask(d, primitive, ray, range);
+    const auto root = ask(d, ray, range);
     if (!root) return;
     if (best.primitive == kNone || root->t < best.root.t || (root->t == best.root.t && primitive < best.primitive))
         best = {*root, primitive};
@@ -87,12 +87,12 @@ inline void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray
 
 inline bool PrimitiveTester::blocks(std::uint32_t primitive, const Ray& ray, Interval range) const {
     const Dispatch& d = dispatch_[primitive];
-    return d.casts && ask(d, primitive, ray, range).has_value();
+    return d.casts && ask(d, ray, range).has_value();
 }
 
 inline std::optional<Hit> PrimitiveTester::complete(const Ray& ray, const Candidate& best) const {
     if (best.primitive == kNone) return std::nullopt;
-    return complete_hit(*scene_, primitives_[best.primitive].object, ray, best.root);
+    return complete_hit(*scene_, primitive(best.primitive).object, ray, best.root);
 }
 
 }  // namespace rays

@@ -27,8 +27,8 @@ private:
     std::vector<Radiance, LargePages<Radiance>> pixels_;
 };
 
-/// Writes the lanes that have a name, R, G and B as a rule, as 32-bit floats. The file appears whole or not at all. Throws InputError when it cannot be written.
-/// Only OpenEXR itself is linked: loading OpenImageIO costs 0.2 s a process, more than many pictures take.
+/// Writes the lanes that have a name, R, G and B as a rule, as 32-bit floats. The file appears whole or not at all.
+/// Throws InputError when it cannot be written.
 void write_exr(const Film& film, const std::string& path, const std::vector<std::string>& lanes = {"R", "G", "B"});
 
 }  // namespace rays

@@ -13,15 +13,15 @@ namespace rays::wide {
 struct Hierarchy {
     Hierarchy(const Scene& scene, std::uint32_t most_in_leaf) : tester(scene) {
         std::vector<Item> items;
-        items.reserve(tester.primitives().size());
-        for (std::uint32_t i = 0; i < tester.primitives().size(); ++i) {
-            const Bounds bounds = bounds_of(scene, tester.primitives()[i]);
+        items.reserve(tester.size());
+        for (std::uint32_t i = 0; i < tester.size(); ++i) {
+            const Bounds bounds = bounds_of(scene, tester.primitive(i));
             if (!bounds.is_finite())
                 unbounded.push_back(i);
             else
-                items.push_back({widened(bounds), i, leaf_kind(scene, tester.primitives()[i])});
+                items.push_back({widened(bounds), i, leaf_kind(scene, tester.primitive(i))});
         }
-        tree = Builder(scene, tester.primitives(), std::move(items), most_in_leaf).collapsed();
+        tree = Builder(tester, std::move(items), most_in_leaf).collapsed();
     }
 
     PrimitiveTester tester;

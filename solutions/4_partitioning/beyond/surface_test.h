@@ -16,7 +16,7 @@ public:
     /// `thorough`: with all planes, worth its time where the cell is about as large as the primitive.
     bool reaches(std::uint32_t primitive, const Bounds& cell, bool thorough) const {
         const Scene& scene = tester_.scene();
-        const Primitive p = tester_.primitives()[primitive];
+        const Primitive p = tester_.primitive(primitive);
         const Object& object = scene.objects[p.object];
         const bool moved = object.transform != kNone;
         const Vec3 center = Real(0.5) * (cell.min + cell.max), half = Real(0.5) * (cell.max - cell.min) + slack_;

@@ -1,7 +1,8 @@
 // A hierarchy of boxes with eight children a node: its nodes, and how it is built.
 //
 // Binned surface area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), binary
-// first, then collapsed to eight children (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008).
+// first, then collapsed to eight children in the way that costs least (Ylitie, Karras, Laine, "Efficient Incoherent Ray
+// Traversal on GPUs Through Compressed Wide BVHs", 2017, section 3.1).
 #pragma once
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 
 #include "4_partitioning/beyond/float_box.h"
 #include "4_partitioning/beyond/leaf_blocks.h"
+#include "4_partitioning/primitive_tester.h"
 
 namespace rays::wide {
 
@@ -57,10 +59,8 @@ struct Item {
 class Builder {
 public:
     /// At most `most_in_block` triangles, spheres or cones go into a leaf, up to kWidth.
-    Builder(const Scene& scene, const std::vector<Primitive>& primitives, std::vector<Item> items,
-            std::uint32_t most_in_block)
-        : scene_(scene),
-          primitives_(primitives),
+    Builder(const PrimitiveTester& tester, std::vector<Item> items, std::uint32_t most_in_block)
+        : tester_(tester),
           items_(std::move(items)),
           nodes_(2 * items_.size()),
           most_in_block_(most_in_block) {
@@ -69,7 +69,10 @@ public:
 
     Tree collapsed() {
         Tree tree;
-        if (!items_.empty()) collapse(0, tree);
+        if (!items_.empty()) {
+            plan(0);
+            collapse(0, tree);
+        }
         items_ = {};
         nodes_ = {};
         tree.nodes.shrink_to_fit();
@@ -83,8 +86,11 @@ public:
 private:
     struct BinaryNode {
         FloatBox box;
-        std::uint32_t begin = 0, end = 0;   ///< of a leaf
-        std::uint32_t left = 0, right = 0;  ///< of an inner node; right 0: a leaf
+        std::uint32_t begin = 0, end = 0;  ///< of a leaf
+        std::uint32_t right = 0;           ///< of an inner node, whose left one comes after it; 0: a leaf
+        /// Of an inner node that may become up to k children of a wide one: how many of them come from its left side, at
+        /// k - 1; 0 where it is best a child itself.
+        std::array<std::uint8_t, kWidth> from_left{1, 1, 1, 1, 1, 1, 1, 1};
     };
     struct Bin {
         FloatBox box;
@@ -110,42 +116,35 @@ private:
         BinaryNode& node = nodes_[index];
         node = {};
         FloatBox centers;
-        float cost = 0;
         std::optional<LeafKind> kind = items_[begin].kind;
         for (std::uint32_t i = begin; i < end; ++i) {
             node.box.add(items_[i].box);
             FloatBox c;
             for (int a = 0; a < 3; ++a) c.lo[a] = c.hi[a] = items_[i].center(a);
             centers.add(c);
-            cost += cost_of(items_[i].kind);
             if (kind) kind = together(*kind, items_[i].kind);
         }
         node.begin = begin;
         node.end = end;
         const std::uint32_t count = end - begin;
-        if (count == 1) return;
-        const std::uint32_t most = kind ? most_in_leaf(*kind) : 1;
+        if (count == 1 || (kind && count <= most_in_leaf(*kind))) return;
         const Plane plane = best_plane(begin, end, centers);
-        if (count <= most && !(plane.cost + node.box.half_area() < cost * node.box.half_area())) return;
         std::uint32_t middle = begin + count / 2;
         if (plane.axis >= 0 && depth < 64) {
             const auto first = items_.begin() + begin, last = items_.begin() + end;
             const auto mid = std::partition(
                 first, last, [&](const Item& item) { return bin_of(item, plane.axis, centers) <= plane.bin; });
             middle = static_cast<std::uint32_t>(mid - items_.begin());
-        } else if (count <= most) {
-            return;
         }  // else all centres coincide: any halves will do
-        node.left = index + 1;
         node.right = index + 2 * (middle - begin);
         if (count >= kParallelFrom && depth < 4) {
-            auto other = std::async(std::launch::async, [this, &node, begin, middle, depth] {
-                split(node.left, begin, middle, depth + 1);
+            auto other = std::async(std::launch::async, [this, index, begin, middle, depth] {
+                split(index + 1, begin, middle, depth + 1);
             });
             split(node.right, middle, end, depth + 1);
             other.get();
         } else {
-            split(node.left, begin, middle, depth + 1);
+            split(index + 1, begin, middle, depth + 1);
             split(node.right, middle, end, depth + 1);
         }
     }
@@ -189,38 +188,66 @@ private:
 
     bool is_leaf(std::uint32_t index) const { return nodes_[index].right == 0; }
 
-    /// The node and those below it whose places it takes: opens the largest inner child until there are eight.
-    int open(std::uint32_t root, std::array<std::uint32_t, kWidth>& children) const {
-        children[0] = root;
-        int count = 1;
-        while (count < kWidth) {
-            int largest = -1;
-            for (int i = 0; i < count; ++i)
-                if (!is_leaf(children[i]) &&
-                    (largest < 0 || nodes_[children[i]].box.half_area() > nodes_[children[largest]].box.half_area()))
-                    largest = i;
-            if (largest < 0) break;
-            const BinaryNode& opened = nodes_[children[largest]];
-            children[largest] = opened.left;
-            children[count++] = opened.right;
+    /// What a subtree costs at least when it becomes up to 1, 2, .. kWidth - 1 children of a wide node: the areas of the
+    /// wide nodes and leaves that it consists of.
+    using Costs = std::array<float, kWidth - 1>;
+
+    Costs plan(std::uint32_t index) {
+        BinaryNode& node = nodes_[index];
+        Costs costs;
+        costs.fill(node.box.half_area());
+        if (is_leaf(index)) return costs;
+        const Costs left = plan(index + 1), right = plan(node.right);
+        const auto cheapest = [&](int children) {
+            float least = kMaxFloat;
+            for (int l = std::max(1, children + 1 - kWidth); l < std::min(children, kWidth); ++l) {
+                const float cost = left[l - 1] + right[children - l - 1];
+                if (cost < least) least = cost, node.from_left[children - 1] = static_cast<std::uint8_t>(l);
+            }
+            return least;
+        };
+        costs[0] += cheapest(kWidth);  // a wide node of its own
+        for (int most = 2; most < kWidth; ++most) {
+            costs[most - 1] = cheapest(most);
+            if (costs[most - 1] < costs[most - 2]) continue;
+            costs[most - 1] = costs[most - 2];
+            node.from_left[most - 1] = most == 2 ? 0 : node.from_left[most - 2];
         }
-        return count;
+        return costs;
+    }
+
+    struct Children {
+        std::array<std::uint32_t, kWidth> of;
+        int count = 0;
+    };
+
+    /// What a node becomes where a wide node has room for `most` children, as planned.
+    void gather(std::uint32_t index, int most, Children& children) const {
+        const BinaryNode& node = nodes_[index];
+        const int from_left = most == 1 || is_leaf(index) ? 0 : node.from_left[most - 1];
+        if (from_left == 0) {
+            children.of[children.count++] = index;
+            return;
+        }
+        gather(index + 1, from_left, children);
+        gather(node.right, most - from_left, children);
     }
 
     std::uint32_t collapse(std::uint32_t root, Tree& tree) {
-        std::array<std::uint32_t, kWidth> children;
-        const int count = open(root, children);
+        Children children;
+        gather(root, kWidth, children);
         const auto index = static_cast<std::uint32_t>(tree.nodes.size());
         tree.nodes.emplace_back();
         for (int i = 0; i < kWidth; ++i) {
-            const FloatBox box = i < count ? nodes_[children[i]].box : FloatBox{};
+            const FloatBox box = i < children.count ? nodes_[children.of[i]].box : FloatBox{};
             for (int a = 0; a < 3; ++a) {
                 tree.nodes[index].lo[a][i] = box.lo[a];
                 tree.nodes[index].hi[a][i] = box.hi[a];
             }
-            if (i >= count) continue;
-            const Child child = is_leaf(children[i]) ? leaf(nodes_[children[i]], tree)
-                                                     : Child(Child::Kind::node, collapse(children[i], tree));
+            if (i >= children.count) continue;
+            const BinaryNode& node = nodes_[children.of[i]];
+            const Child child = is_leaf(children.of[i]) ? leaf(node, tree)
+                                                        : Child(Child::Kind::node, collapse(children.of[i], tree));
             tree.nodes[index].child[i] = child;
         }
         return index;
@@ -250,19 +277,18 @@ private:
         Block& block = blocks.emplace_back();
         for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
             const std::uint32_t primitive = items_[k].primitive;
-            const std::uint32_t shape = scene_.objects[primitives_[primitive].object].shape;
+            const std::uint32_t shape = tester_.dispatch(primitive).shape;
             if constexpr (std::is_same_v<Block, TriangleBlock>)
-                put(block, triangle_of(scene_, primitives_[primitive]), primitive);
+                put(block, triangle_of(tester_.scene(), tester_.primitive(primitive)), primitive);
             else if (items_[k].kind == LeafKind::spheres)
-                put(block, scene_.spheres[shape], primitive);
+                put(block, tester_.scene().spheres[shape], primitive);
             else if constexpr (std::is_same_v<Block, ConeBlock>)
-                put(block, scene_.cones[shape], primitive);
+                put(block, tester_.scene().cones[shape], primitive);
         }
         return blocks.size() - 1;
     }
 
-    const Scene& scene_;
-    const std::vector<Primitive>& primitives_;
+    const PrimitiveTester& tester_;
     std::vector<Item> items_;
     std::vector<BinaryNode> nodes_;
     std::uint32_t most_in_block_;

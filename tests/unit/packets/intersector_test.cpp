@@ -1,8 +1,11 @@
 // The invariant of packets: whatever eight rays ask together, each gets the bits that it gets alone.
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <optional>
 
 #include "../step_4/hard_scenes.h"
+#include "2_phong/phong.h"
 #include "4_partitioning/structures.h"
 #include "eight.h"
 #include "packets/intersector.h"
@@ -14,6 +17,8 @@ namespace {
 using rays::tests::hard_scenes;
 using rays::tests::HardScene;
 using rays::tests::staged;
+
+constexpr ObjectNumbers kOneObject = {};
 
 /// Eight rays of one of several habits, and which of them ask.
 struct Packet {
@@ -165,11 +170,13 @@ TEST_P(PacketsAgree, OnTheNearest) {
 
 TEST_P(PacketsAgree, OnWhatIsOccluded) {
     HardPackets source(scene_, 2);
-    std::uint32_t last = kNone;  // kept from packet to packet, as a light keeps it
+    Suspects suspects(4);  // kept from packet to packet, as a light keeps them
     for (int n = 0; n < packets(); ++n) {
         const Packet p = source.next();
-        if (n % 5 == 0) last = kNone;
-        const unsigned got = together_.occluded(together(p.rays), Mask::of(p.active), p.span(), last).bits();
+        if (n % 20 == 0) suspects = Suspects(4);
+        ObjectNumbers lit;
+        for (int i = 0; i < kLanes; ++i) lit[i] = static_cast<std::uint32_t>(n + i % 3);
+        const unsigned got = together_.occluded(together(p.rays), Mask::of(p.active), p.span(), lit, suspects).bits();
         ASSERT_EQ(got & ~p.active, 0u) << "who did not ask is blocked";
         for (std::size_t i = 0; i < kLanes; ++i) {
             if (!(p.active >> i & 1)) continue;
@@ -203,21 +210,35 @@ const std::string kClear =
     "<1, rand(R), -rand(R)>\n"
     "#if (mod(I, 2)) texture { Glass } #end } #end pigment { rgb 1 } }\n";
 
-/// What a shadow ray meets, found by asking every primitive.
+/// What a shadow ray meets, found by asking every primitive for all of its roots.
 struct Met {
-    bool opaque = false, clear = false;
+    std::vector<Real> opaque, clear;
+
+    /// Is nothing left of the light, for sure? Behind something clear the next kShadowTolerance are passed over.
+    bool is_blocked() const {
+        return std::any_of(opaque.begin(), opaque.end(), [&](Real t) {
+            return std::none_of(clear.begin(), clear.end(),
+                                [&](Real c) { return c <= t && t <= c + kShadowTolerance * Real(1.001); });
+        });
+    }
 };
 Met met_by(const Scene& scene, const PrimitiveTester& tester, const Ray& ray, Interval range) {
     Met met;
-    for (std::uint32_t i = 0; i < tester.primitives().size(); ++i) {
-        if (!tester.blocks(i, ray, range)) continue;
-        const Primitive p = tester.primitives()[i];
+    for (std::uint32_t i = 0; i < tester.size(); ++i) {
+        if (!tester.dispatch(i).casts) continue;
+        const Primitive p = tester.primitive(i);
         const Object& object = scene.objects[p.object];
         std::uint32_t material = object.material;
         if (object.kind == ShapeKind::mesh &&
             scene.meshes[object.shape].faces[p.part].material != Mesh::kObjectMaterial)
             material = scene.meshes[object.shape].faces[p.part].material;
-        (lets_light_through(scene.materials[material].pigment) ? met.clear : met.opaque) = true;
+        auto& roots = lets_light_through(scene.materials[material].pigment) ? met.clear : met.opaque;
+        for (Interval rest = range;; rest.min = roots.back()) {
+            Candidate best;
+            tester.keep_nearer(i, ray, rest, best);
+            if (best.primitive == kNone) break;
+            roots.push_back(best.root.t);
+        }
     }
     return met;
 }
@@ -227,7 +248,7 @@ TEST(PacketObstacles, SayWhichRaysAreBlockedAndWhichMeetSomethingClear) {
     const PacketIntersector together_intersector(scene);
     const PrimitiveTester tester(scene);
     HardPackets source(scene, 4);
-    int blocked = 0, clear = 0, none = 0, asked_alone = 0;
+    int blocked = 0, blocked_beside_clear = 0, clear = 0, none = 0, asked_alone = 0;
     for (int n = 0; n < 1500; ++n) {
         const Packet p = source.next();
         const Obstacles got = together_intersector.obstacles(together(p.rays), Mask::of(p.active), p.span());
@@ -238,18 +259,21 @@ TEST(PacketObstacles, SayWhichRaysAreBlockedAndWhichMeetSomethingClear) {
             const Interval range = p.ranges[i];
             const Met truth = met_by(scene, tester, p.rays[i], range);
             const bool is_blocked = got.opaque.bits() >> i & 1, is_clear = got.clear.bits() >> i & 1;
-            // Rays that go their own way may be passed on without a look: for those, clear is always right.
-            if (is_clear && !truth.clear) {
-                ++asked_alone;
-                continue;
+            const std::string where = fmt::format("packet {}, lane {}, {}", n, i, text(p.rays[i], range));
+            // To be looked at is always right, for rays that go their own way even where there is nothing clear.
+            if (is_clear) {
+                ++(truth.clear.empty() ? asked_alone : clear);
+            } else if (is_blocked) {
+                ASSERT_TRUE(truth.is_blocked()) << where;
+                ++(truth.clear.empty() ? blocked : blocked_beside_clear);
+            } else {
+                ASSERT_TRUE(truth.opaque.empty() && truth.clear.empty()) << where;
+                ++none;
             }
-            ASSERT_EQ(is_clear, truth.clear) << "packet " << n << ", lane " << i << ", " << text(p.rays[i], range);
-            ASSERT_EQ(is_blocked, truth.opaque && !truth.clear)
-                << "packet " << n << ", lane " << i << ", " << text(p.rays[i], range);
-            ++(is_clear ? clear : is_blocked ? blocked : none);
         }
     }
     EXPECT_GT(blocked, 100);
+    EXPECT_GT(blocked_beside_clear, 20);
     EXPECT_GT(clear, 100);
     EXPECT_GT(none, 100);
     EXPECT_GT(asked_alone, 0);
@@ -265,13 +289,36 @@ TEST(PacketObstacles, RaysTogetherArePassedOnOnlyForSomethingClear) {
     for (std::size_t i = 0; i < kLanes; ++i)
         rays[i] = {{Real(i) + Real(0.01), Real(0.02), -5}, glm::normalize(Vec3(Real(0.001), Real(0.001), 1))};
     const Obstacles all = intersector.obstacles(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(100.0)});
-    EXPECT_EQ(all.opaque.bits(), 0b01010101u);
-    EXPECT_EQ(all.clear.bits(), 0b10101010u);
+    // 5 and 7 meet both: they are blocked when what is opaque is asked first.
+    EXPECT_EQ(all.opaque.bits() | 0b10100000u, 0b11110101u);
+    EXPECT_EQ(all.clear.bits() & ~0b10100000u, 0b00001010u);
+    EXPECT_EQ(all.opaque.bits() ^ all.clear.bits(), kAllLanes);
     const Obstacles near = intersector.obstacles(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(2.0)});
     EXPECT_FALSE(near.opaque.any() || near.clear.any());
     const Obstacles behind = intersector.obstacles(together(rays), Mask::of(kAllLanes), {Reals(7.0), Reals(100.0)});
     EXPECT_EQ(behind.opaque.bits(), 0b11110000u);
     EXPECT_FALSE(behind.clear.any());
+}
+
+TEST(PacketObstacles, WhatIsOpaqueBlocksUnlessSomethingClearIsJustBefore) {
+    // A wall. Before its right half are clear discs that almost touch it: behind them a shadow ray passes over the wall.
+    // What else there is makes many leaves, so that the wall is asked before or after the discs.
+    int asked_first = 0;
+    for (int seed = 0; seed < 30; ++seed) {
+        const Scene scene = staged(fmt::format(
+            "#declare S = seed({});\n box {{ <-20, -20, 5>, <20, 20, 6> }}\n"
+            "#for (I, 4, 7) disc {{ <I, 0, 4.9995>, z, 0.3 pigment {{ rgbt 0.5 }} }} #end\n"
+            "#for (I, 0, 7) disc {{ <I, 0, 3>, z, 0.3 pigment {{ rgbt 0.5 }} }} #end\n"
+            "#for (I, 1, 100) sphere {{ <rand(S) * 30 - 15, rand(S) * 20 + 2, rand(S) * 20>, 0.3 }} #end\n", seed));
+        const PacketIntersector intersector(scene);
+        Lanes<Ray> rays;
+        for (std::size_t i = 0; i < kLanes; ++i) rays[i] = {{Real(i), Real(0), 0}, {0, 0, 1}};
+        const Obstacles met = intersector.obstacles(together(rays), Mask::of(kAllLanes), {Reals(1e-3), Reals(100.0)});
+        EXPECT_EQ(met.clear.bits() & 0b11110000u, 0b11110000u) << seed;
+        EXPECT_EQ((met.opaque | met.clear).bits(), kAllLanes) << seed;
+        asked_first += (met.opaque.bits() & 0b1111u) != 0;
+    }
+    EXPECT_GT(asked_first, 5) << "the wall, before the discs";
 }
 
 // ---- Rays and none --------------------------------------------------------------------------------------------------
@@ -307,9 +354,9 @@ TEST(PacketIntersectors, MissWhatIsNoRay) {
         for (std::size_t i = 0; i < kLanes; ++i)
             rays[i] = i % 3 == 1 ? none : Ray{origin + Vec3(Real(i) * Real(0.1)), direction};
         const Hits hits = intersector.nearest(together(rays), Mask::of(kAllLanes), {Reals(1e-4), Reals(1e7)});
-        std::uint32_t last = kNone;
+        Suspects suspects(1);
         const unsigned blocked =
-            intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(1e-3), Reals(1e7)}, last).bits();
+            intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(1e-3), Reals(1e7)}, kOneObject, suspects).bits();
         for (std::size_t i = 0; i < kLanes; ++i) {
             EXPECT_TRUE(same(hit_of(hits, int(i)), intersector.single().nearest(rays[i], {Real(1e-4), Real(1e7)})))
                 << text(rays[i], {});
@@ -324,13 +371,13 @@ TEST(PacketIntersectors, NobodyAsksNobodyIsAnswered) {
     const PacketIntersector intersector(scene);
     Lanes<Ray> rays;
     rays.fill({{0, 3, -5}, glm::normalize(Vec3(0, Real(-0.6), 1))});
-    std::uint32_t last = kNone;
+    Suspects suspects(1);
     EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}).are, 0u);
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}, last).any());
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(-1.0)}, last).any())
+    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}, kOneObject, suspects).any());
+    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(-1.0)}, kOneObject, suspects).any())
         << "an empty range";
     EXPECT_FALSE(
-        intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(std::nan(""))}, last).any());
+        intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(std::nan(""))}, kOneObject, suspects).any());
     EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0b1), {Reals(0.0), Reals(100.0)}).are, 1u) << "one ray";
 }
 
