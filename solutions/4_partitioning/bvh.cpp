@@ -10,6 +10,7 @@
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 //> hidden
+#include "4_partitioning/beyond/box_ray.h"
 #include "4_partitioning/beyond/hierarchy.h"
 //< hidden
 
@@ -22,45 +23,6 @@ namespace {
 using namespace wide;
 
 constexpr std::uint32_t kMostInLeaf = 8;  ///< triangles or spheres; measured (NOTES.md)
-
-/// A ray as eight boxes at once see it. In float, with every rounding towards asking: the origin is two numbers, one
-/// for the near planes and one for the far ones, and so is the inverse of the direction.
-class BoxRay {
-public:
-    BoxRay(const Ray& ray, Interval range) {
-        for (int a = 0; a < 3; ++a) {
-            const auto d = static_cast<float>(ray.direction[a]);
-            positive_[a] = !std::signbit(d);
-            const float inverse = std::clamp(1 / d, -kMaxFloat, kMaxFloat);
-            near_inverse_[a] = _mm256_set1_ps(inverse * (1 - kSlack));
-            far_inverse_[a] = _mm256_set1_ps(std::clamp(inverse * (1 + kSlack), -kMaxFloat, kMaxFloat));
-            near_origin_[a] = _mm256_set1_ps(positive_[a] ? above(ray.origin[a]) : below(ray.origin[a]));
-            far_origin_[a] = _mm256_set1_ps(positive_[a] ? below(ray.origin[a]) : above(ray.origin[a]));
-        }
-        near_ = _mm256_set1_ps(std::max(0.0f, below(range.min)));
-        shorten(range.max);
-    }
-
-    void shorten(Real t) { far_ = _mm256_set1_ps(t < kMaxFloat ? above(t) : kMaxFloat); }
-
-    /// A bit for each child whose box the ray meets; where it enters, in `enters`.
-    unsigned meets(const Node& node, float (&enters)[kWidth]) const {
-        __m256 near = near_, far = far_;
-        for (int a = 0; a < 3; ++a) {
-            const __m256 lo = _mm256_load_ps(positive_[a] ? node.lo[a] : node.hi[a]);
-            const __m256 hi = _mm256_load_ps(positive_[a] ? node.hi[a] : node.lo[a]);
-            near = _mm256_max_ps(near, _mm256_mul_ps(_mm256_sub_ps(lo, near_origin_[a]), near_inverse_[a]));
-            far = _mm256_min_ps(far, _mm256_mul_ps(_mm256_sub_ps(hi, far_origin_[a]), far_inverse_[a]));
-        }
-        _mm256_store_ps(enters, near);
-        return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(near, far, _CMP_LE_OQ)));
-    }
-
-private:
-    static constexpr float kSlack = 0x1p-20f;  ///< three roundings of 2^-24 each, and some
-    __m256 near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3], near_, far_;
-    bool positive_[3];
-};
 
 class Bvh final : public SingleRays {
 public:

@@ -10,7 +10,7 @@
 #include "4_partitioning/structures.h"
 #include "core/unfinished.h"
 //> hidden
-#include "4_partitioning/beyond/item_box.h"
+#include "4_partitioning/beyond/box_ray.h"
 #include "4_partitioning/beyond/octree_nodes.h"
 #include "4_partitioning/beyond/surface_test.h"
 //< hidden
@@ -51,27 +51,64 @@ OctreeRay octree_ray(const Bounds& root, const Ray& ray) {
     //< 4.7
 }
 
+//> hidden
+namespace {
+
+/// One number for each axis, worked on side by side, and one that is not looked at.
+using Axes = Real __attribute__((vector_size(4 * sizeof(Real))));
+using AxesMask = decltype(Axes{} < Axes{});
+
+Axes axes(const Vec3& v) { return Axes{v.x, v.y, v.z, 0}; }
+Vec3 vec3(Axes v) { return {v[0], v[1], v[2]}; }
+Real largest(Axes v) { return std::max(v[0], std::max(v[1], v[2])); }
+Real smallest(Axes v) { return std::min(v[0], std::min(v[1], v[2])); }
+
+/// A node on the way of a ray, and the octant of it that comes next: the ray begins in the far half along every axis
+/// whose middle it has passed before it enters; then it changes halves along the axis that it leaves first.
+class Passage {
+public:
+    Passage() = default;
+    Passage(Axes near, Axes far, Span span)
+        : near_(near), middle_(Real(0.5) * (near + far)), far_(far), exit_(std::min(span.exit, smallest(far))) {
+        const Real enter = std::max(span.enter, largest(near));
+        const AxesMask passed = middle_ < Axes{enter, enter, enter, enter};
+        half_ = (passed[0] & 1) | (passed[1] & 2) | (passed[2] & 4);
+    }
+
+    unsigned octant(unsigned mirror) const { return half_ ^ mirror; }
+    Axes near() const { return kHalves[half_] ? middle_ : near_; }
+    Axes far() const { return kHalves[half_] ? far_ : middle_; }
+
+    /// To the next octant, if the ray enters it before `exit`.
+    bool go_on(Real exit) {
+        const Axes leave = far();
+        const int axis = leave[0] < leave[1] ? (leave[0] < leave[2] ? 0 : 2) : (leave[1] < leave[2] ? 1 : 2);
+        if ((half_ >> axis & 1) || !(leave[axis] <= std::min(exit, exit_))) return false;
+        half_ |= 1u << axis;
+        return true;
+    }
+
+private:
+    static constexpr AxesMask kHalves[8] = {{0, 0, 0, 0},  {-1, 0, 0, 0},  {0, -1, 0, 0},  {-1, -1, 0, 0},
+                                            {0, 0, -1, 0}, {-1, 0, -1, 0}, {0, -1, -1, 0}, {-1, -1, -1, 0}};
+    Axes near_, middle_, far_;
+    Real exit_;
+    unsigned half_;  ///< bit a: in the far half along axis a
+};
+
+}  // namespace
+//< hidden
+
 int octants_along(const Slabs& node, unsigned mirror, Span span, std::array<Octant, 4>& octants) {
     //> 4.7 The middle planes are passed half-way between near and far. The ray begins in the far half along every axis
     //>   whose middle it has passed before it enters; then it changes halves along the axis that it leaves first.
-    const Real enter = std::max(span.enter, node.enter()), exit = std::min(span.exit, node.exit());
-    if (!(enter <= exit)) return 0;
-    const Vec3 middle = Real(0.5) * (node.near + node.far);
-    unsigned half = 0;  // bit a: in the far half along axis a
-    for (int a = 0; a < 3; ++a) half |= (middle[a] < enter ? 1u : 0u) << a;
-    for (int count = 0;;) {
-        Octant& octant = octants[static_cast<std::size_t>(count++)];
-        octant.octant = half ^ mirror;
-        for (int a = 0; a < 3; ++a) {
-            const bool far = half >> a & 1;
-            octant.slabs.near[a] = far ? middle[a] : node.near[a];
-            octant.slabs.far[a] = far ? node.far[a] : middle[a];
-        }
-        const Vec3& leave = octant.slabs.far;
-        const int axis = leave.x < leave.y ? (leave.x < leave.z ? 0 : 2) : (leave.y < leave.z ? 1 : 2);
-        if ((half >> axis & 1) || !(leave[axis] <= exit)) return count;
-        half |= 1u << axis;
-    }
+    if (!(std::max(span.enter, node.enter()) <= std::min(span.exit, node.exit()))) return 0;
+    Passage passage(axes(node.near), axes(node.far), span);
+    int count = 0;
+    do
+        octants[static_cast<std::size_t>(count++)] = {passage.octant(mirror), {vec3(passage.near()), vec3(passage.far())}};
+    while (passage.go_on(span.exit));
+    return count;
     //< 4.7
 }
 
@@ -208,8 +245,13 @@ public:
         if (!contents.inside.empty()) tree_ = Builder(tester_, contents).build();
         tree_.families.shrink_to_fit();
         tree_.items.shrink_to_fit();
-        boxes_.resize(tree_.items.size());
-        in_parallel_each(boxes_.size(), [&](std::size_t i) { boxes_[i] = octree::item_box(contents.bounds[tree_.items[i]]); });
+        boxes_.resize(tree_.items.size() / wide::kWidth);
+        in_parallel_each(boxes_.size(), [&](std::size_t i) {
+            for (int lane = 0; lane < wide::kWidth; ++lane) {
+                const std::uint32_t item = tree_.items[i * wide::kWidth + static_cast<std::size_t>(lane)];
+                boxes_[i].set(lane, item == kNone ? wide::FloatBox{} : wide::rounded_outwards(contents.bounds[item]));
+            }
+        });
     }
 
 private:
@@ -243,40 +285,45 @@ private:
         return effort ? walk<true>(*usable, range, far, ask) : walk<false>(*usable, range, far, ask);
     }
 
-    struct Open {
-        Node node;
-        Slabs slabs;
-    };
-    /// Of every family on the way down three at most wait while the fourth is open.
-    static constexpr std::size_t kStack = 3 * kMostDeep + 4;
-
     template <bool kWatched, class Ask>
     bool walk(const Ray& ray, Interval range, Real far, Ask ask) const {
-        const OctreeRay seen = octree_ray(box_, ray);
-        std::array<Open, kStack> stack;
-        std::size_t size = 0;
-        stack[size++] = {tree_.root, seen.root};
         Mailbox mailbox;
-        const octree::BoxRay box_ray(ray, range.min);
-        while (size > 0) {
-            const Open open = stack[--size];
-            const Real enter = std::max(range.min, open.slabs.enter());
-            if (!(enter <= far)) continue;
-            if constexpr (kWatched) watch(open, ray);
-            if (open.node.is_leaf()) {
-                for (std::uint32_t k = open.node.first; k < open.node.first + open.node.count; ++k)
-                    if (box_ray.meets(boxes_[k], far) && !mailbox.was_asked(tree_.items[k]) && ask(tree_.items[k], far))
-                        return true;
-                continue;
+        wide::BoxRay box_ray(ray, range);
+        const auto ask_leaf = [&](const Node& leaf) {
+            for (std::uint32_t first = leaf.first; first < leaf.first + leaf.count; first += wide::kWidth) {
+                for (unsigned met = box_ray.meets(boxes_[first / wide::kWidth]); met != 0; met &= met - 1) {
+                    const std::uint32_t item = tree_.items[first + static_cast<unsigned>(std::countr_zero(met))];
+                    if (mailbox.was_asked(item)) continue;
+                    const Real before = far;
+                    if (ask(item, far)) return true;
+                    if (far < before) box_ray.shorten(far);
+                }
             }
-            std::array<Octant, 4> octants;
-            const auto& children = tree_.families[open.node.first].children;
-            for (int i = octants_along(open.slabs, seen.mirror, {enter, far}, octants); i-- > 0;) {
-                const Octant& o = octants[static_cast<std::size_t>(i)];
-                if (!children[o.octant].is_empty()) stack[size++] = {children[o.octant], o.slabs};
+            return false;
+        };
+        struct Open {
+            std::uint32_t family;
+            Passage passage;
+        };
+        const OctreeRay seen = octree_ray(box_, ray);
+        std::array<Open, kMostDeep> stack;  // what is open on the way down
+        std::size_t size = 0;
+        Axes near = axes(seen.root.near), leave = axes(seen.root.far);
+        for (Node node = tree_.root;;) {
+            if (!node.is_empty() && std::max(range.min, largest(near)) <= std::min(far, smallest(leave))) {
+                if constexpr (kWatched) watch(node, {vec3(near), vec3(leave)}, ray);
+                if (!node.is_leaf())
+                    stack[size++] = {node.first, Passage(near, leave, {range.min, far})};
+                else if (range.min < 0 ? ask_all_of(node, far, ask) : ask_leaf(node))
+                    return true;
             }
+            if (size == 0) return false;
+            auto& [family, passage] = stack[size - 1];
+            node = tree_.families[family].children[passage.octant(seen.mirror)];
+            near = passage.near();
+            leave = passage.far();
+            if (!passage.go_on(far)) --size;
         }
-        return false;
     }
 
     template <class Ask>
@@ -311,13 +358,13 @@ private:
         return false;
     }
 
-    static void watch(const Open& open, const Ray& ray) {
+    static void watch(const Node& node, const Slabs& slabs, const Ray& ray) {
         ++effort->nodes;
-        if (!effort->visited || !open.node.is_leaf()) return;
+        if (!effort->visited || !node.is_leaf()) return;
         Bounds box;
         for (int a = 0; a < 3; ++a) {
-            const Real near = ray.origin[a] + open.slabs.near[a] * ray.direction[a];
-            const Real far = ray.origin[a] + open.slabs.far[a] * ray.direction[a];
+            const Real near = ray.origin[a] + slabs.near[a] * ray.direction[a];
+            const Real far = ray.origin[a] + slabs.far[a] * ray.direction[a];
             box.min[a] = std::min(near, far);
             box.max[a] = std::max(near, far);
         }
@@ -329,7 +376,7 @@ private:
     Real slack_ = 0;
     std::vector<std::uint32_t> outside_;  ///< asked by every ray
     Tree tree_;
-    std::vector<octree::ItemBox> boxes_;  ///< of the tree's items
+    std::vector<wide::Boxes> boxes_;      ///< of the tree's items, eight by eight
 };
 
 }  // namespace

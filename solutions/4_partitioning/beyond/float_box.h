@@ -38,6 +38,15 @@ struct FloatBox {
     }
 };
 
+inline FloatBox rounded_outwards(const Bounds& b) {
+    FloatBox box;
+    for (int a = 0; a < 3; ++a) {
+        box.lo[static_cast<std::size_t>(a)] = below(b.min[a]);
+        box.hi[static_cast<std::size_t>(a)] = above(b.max[a]);
+    }
+    return box;
+}
+
 /// Widened so that a root computed a little outside of the true box is still found: relative to the coordinates, and by
 /// an absolute sliver for boxes that touch a coordinate plane and rays that run in it.
 inline FloatBox widened(const Bounds& b) {

@@ -9,11 +9,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "4_partitioning/beyond/box_ray.h"
 #include "4_partitioning/beyond/float_box.h"
 
 namespace rays::wide {
-
-inline constexpr int kWidth = 8;
 
 // ---- What a block holds ---------------------------------------------------------------------------------------------
 

@@ -34,9 +34,8 @@ private:
     std::uint32_t bits_;  // without a value of its own: stacks of these cost nothing to make
 };
 
-/// Eight children, their boxes lane by lane. Who is not there has the empty box, which no ray meets.
-struct alignas(64) Node {
-    float lo[3][kWidth], hi[3][kWidth];
+/// Eight children and their boxes.
+struct alignas(64) Node : Boxes {
     Child child[kWidth];
 };
 
@@ -240,10 +239,7 @@ private:
         tree.nodes.emplace_back();
         for (int i = 0; i < kWidth; ++i) {
             const FloatBox box = i < children.count ? nodes_[children.of[i]].box : FloatBox{};
-            for (int a = 0; a < 3; ++a) {
-                tree.nodes[index].lo[a][i] = box.lo[a];
-                tree.nodes[index].hi[a][i] = box.hi[a];
-            }
+            tree.nodes[index].set(i, box);
             if (i >= children.count) continue;
             const BinaryNode& node = nodes_[children.of[i]];
             const Child child = is_leaf(children.of[i]) ? leaf(node, tree)
