@@ -245,12 +245,9 @@ public:
         if (!contents.inside.empty()) tree_ = Builder(tester_, contents).build();
         tree_.families.shrink_to_fit();
         tree_.items.shrink_to_fit();
-        boxes_.resize(tree_.items.size() / wide::kWidth);
-        in_parallel_each(boxes_.size(), [&](std::size_t i) {
-            for (int lane = 0; lane < wide::kWidth; ++lane) {
-                const std::uint32_t item = tree_.items[i * wide::kWidth + static_cast<std::size_t>(lane)];
-                boxes_[i].set(lane, item == kNone ? wide::FloatBox{} : wide::rounded_outwards(contents.bounds[item]));
-            }
+        boxes_.resize((tree_.items.size() + wide::kWidth - 1) / wide::kWidth);
+        in_parallel_each(tree_.items.size(), [&](std::size_t i) {
+            boxes_[i / wide::kWidth].set(i % wide::kWidth, wide::rounded_outwards(contents.bounds[tree_.items[i]]));
         });
     }
 
@@ -290,8 +287,12 @@ private:
         Mailbox mailbox;
         wide::BoxRay box_ray(ray, range);
         const auto ask_leaf = [&](const Node& leaf) {
-            for (std::uint32_t first = leaf.first; first < leaf.first + leaf.count; first += wide::kWidth) {
-                for (unsigned met = box_ray.meets(boxes_[first / wide::kWidth]); met != 0; met &= met - 1) {
+            const std::uint32_t end = leaf.first + leaf.count;
+            for (std::uint32_t first = leaf.first / wide::kWidth * wide::kWidth; first < end; first += wide::kWidth) {
+                unsigned met = box_ray.meets(boxes_[first / wide::kWidth]);
+                if (first < leaf.first) met &= ~0u << (leaf.first - first);  // those before are another leaf's
+                if (end - first < wide::kWidth) met &= ~(~0u << (end - first));
+                for (; met != 0; met &= met - 1) {
                     const std::uint32_t item = tree_.items[first + static_cast<unsigned>(std::countr_zero(met))];
                     if (mailbox.was_asked(item)) continue;
                     const Real before = far;

@@ -17,7 +17,7 @@ inline constexpr int kWidth = 8;
 struct alignas(32) Boxes {
     float lo[3][kWidth], hi[3][kWidth];
 
-    void set(int lane, const FloatBox& box) {
+    void set(std::size_t lane, const FloatBox& box) {
         for (int a = 0; a < 3; ++a) {
             lo[a][lane] = box.lo[static_cast<std::size_t>(a)];
             hi[a][lane] = box.hi[static_cast<std::size_t>(a)];

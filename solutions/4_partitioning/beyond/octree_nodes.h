@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/hit.h"
-
 namespace rays::octree {
 
 struct Node {
@@ -31,9 +29,7 @@ struct Tree {
 
     Node root;
     std::vector<Family> families;
-    /// Leaf by leaf; each begins at a multiple of kLeafStep, and kNone fills it up.
     std::vector<std::uint32_t> items;
-    static constexpr std::size_t kLeafStep = 8;
 
     Node& at(Place place) { return place.family == kRoot ? root : families[place.family].children[place.octant]; }
 
@@ -48,7 +44,6 @@ struct Tree {
     void make_leaf(Place place, const std::vector<std::uint32_t>& list) {
         at(place) = {static_cast<std::uint32_t>(items.size()), static_cast<std::uint32_t>(list.size())};
         items.insert(items.end(), list.begin(), list.end());
-        while (items.size() % kLeafStep != 0) items.push_back(kNone);
     }
 
     /// Puts a tree that was made by itself where its root belongs.

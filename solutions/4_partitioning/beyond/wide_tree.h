@@ -239,7 +239,7 @@ private:
         tree.nodes.emplace_back();
         for (int i = 0; i < kWidth; ++i) {
             const FloatBox box = i < children.count ? nodes_[children.of[i]].box : FloatBox{};
-            tree.nodes[index].set(i, box);
+            tree.nodes[index].set(static_cast<std::size_t>(i), box);
             if (i >= children.count) continue;
             const BinaryNode& node = nodes_[children.of[i]];
             const Child child = is_leaf(children.of[i]) ? leaf(node, tree)
