@@ -71,7 +71,7 @@ Judge says(bool truth);
 
 struct Finish {
     V ambient{0}, emission{0};
-    double diffuse = 0, phong = 0, phong_size = 40, specular = 0, roughness = 0.05, metallic = 0;
+    double diffuse = 0, phong = 0, phong_size = 40, specular = 0, roughness = 0.05, metallic = 0, brilliance = 1;
     std::string text() const;  ///< all of it, as SDL
 };
 

@@ -121,9 +121,10 @@ std::vector<Question> ambients(std::uint64_t seed) {
 std::vector<Question> diffuses(std::uint64_t seed) {
     Dice dice(seed);
     Notebook notes("2.3");
-    for (int world = 0; world < 3; ++world) {
+    for (int world = 0; world < 4; ++world) {
         Finish finish;
         finish.diffuse = world == 2 ? 1 : dice.round_between(0.2, 0.9);
+        finish.brilliance = world == 3 ? dice.round_between(1.5, 4) : 1;
         finish.phong = 0.8;
         finish.ambient = V(0.3);
         const V color = dice.color();
@@ -132,8 +133,13 @@ std::vector<Question> diffuses(std::uint64_t seed) {
             const V n = dice.unit(), l = tilted(n, angle, dice.between(0, 6));
             const V v = tilted(n, dice.between(0, 1.5), dice.between(0, 6));
             notes.ask("diffuse 0 " + numbers(n) + " " + numbers(l) + " " + numbers(v), about,
-                      close_to(finish.diffuse * std::max(0.0, std::cos(angle)) * color));
+                      close_to(finish.diffuse * std::pow(std::max(0.0, std::cos(angle)), finish.brilliance) * color));
         };
+        if (world == 3) {
+            for (int i = 0; i < 3; ++i) ask(dice.between(0.1, 1.5), "brilliance is the power of the cosine");
+            ask(dice.between(1.65, 3.1), "light from behind the surface: none, whatever its power");
+            continue;
+        }
         for (int i = 0; i < 4; ++i)
             ask(dice.between(0.1, 1.5), "diffuse times the cosine; no 1 / pi; no matter from where it is seen");
         ask(0, "light along the normal: the whole diffuse part");

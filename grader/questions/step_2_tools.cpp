@@ -88,9 +88,10 @@ Judge says(bool truth) {
 // ---- Truth ----------------------------------------------------------------------------------------------------------
 
 std::string Finish::text() const {
-    return fmt::format("ambient {} emission {} diffuse {} phong {} phong_size {} specular {} roughness {}{}",
+    return fmt::format("ambient {} emission {} diffuse {} phong {} phong_size {} specular {} roughness {}{}{}",
                        rgb(ambient), rgb(emission), diffuse, phong, phong_size, specular, roughness,
-                       metallic > 0 ? fmt::format(" metallic {}", metallic) : "");
+                       metallic > 0 ? fmt::format(" metallic {}", metallic) : "",
+                       brilliance != 1 ? fmt::format(" brilliance {}", brilliance) : "");
 }
 
 double r_dot_l(const V& n, const V& l, const V& v) { return 2 * glm::dot(n, v) * glm::dot(n, l) - glm::dot(v, l); }
@@ -112,7 +113,7 @@ V highlight_tint(const Finish& finish, const V& color, const V& n, const V& l) {
 V shaded(const Finish& finish, const V& color, const V& n, const V& l, const V& v, bool matt) {
     const double cosine = glm::dot(n, l);
     if (cosine <= 0) return V(0);
-    V sum = finish.diffuse * cosine * color;
+    V sum = finish.diffuse * std::pow(cosine, finish.brilliance) * color;
     if (matt) return sum;
     const double mirrored = r_dot_l(n, l, v), half = n_dot_h(n, l, v);
     double highlight = 0;

@@ -105,10 +105,12 @@ Radiance ambient(const Surface& surface, const Radiance& ambient_light) {
 
 Radiance diffuse(const Surface& surface, const Illumination& light) {
     //> 2.3 Lambert's law: the finish's diffuse times n . l, tinted by the surface's colour and opacity and by the
-    //>   light. Nothing from behind.
+    //>   light. Nothing from behind. With a brilliance other than 1, n . l is raised to that power.
     const Real n_dot_l = cosine(surface.normal, light.to_light);
     if (!(n_dot_l > 0)) return Radiance(0.0f);
-    const float strength = surface.opacity * surface.finish->diffuse * static_cast<float>(n_dot_l);
+    const float brilliance = surface.finish->brilliance;
+    const auto falloff = static_cast<float>(brilliance == 1 ? n_dot_l : std::pow(n_dot_l, Real(brilliance)));
+    const float strength = surface.opacity * surface.finish->diffuse * falloff;
     return strength * surface.color * light.radiance;
     //< 2.3
 }

@@ -219,13 +219,14 @@ float weight_of_mirror(const Reflection& reflection, const Radiance& reflectivit
 Radiance reflected_light(World& world, const Interaction& at, const Radiance& reflectivity) {
     //> 3.9 Trace the mirror ray: one level deeper, in the same media, its weight multiplied by the largest lane of
     //>   reflectivity (without fresnel: by the largest lane of the finish's min and max). Each lane of what it brings
-    //>   is raised to the finish's exponent before it is multiplied by the reflectivity.
+    //>   is raised to the finish's exponent (below 0 there is nothing to raise) before it is multiplied by the
+    //>   reflectivity.
     const Reflection& finish = at.surface.finish->reflection;
     const Vec3 direction = reflect(at.from.ray.direction, at.surface.normal);
     const float weight = at.from.weight * weight_of_mirror(finish, reflectivity);
     Radiance brought = trace(world, branch_from(at, "reflected", direction, weight));
     if (finish.exponent != 1)
-        for (int i = 0; i < 4; ++i) brought[i] = std::pow(brought[i], finish.exponent);
+        for (int i = 0; i < 4; ++i) brought[i] = std::pow(std::max(0.0f, brought[i]), finish.exponent);
     return reflectivity * brought;
     //< 3.9
 }

@@ -236,7 +236,8 @@ Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& at,
             light.are = light.are & is_not_black(light.radiance);
             if (!light.are.any()) continue;
         }
-        Radiances brings = (at.opacity * Floats(finish.diffuse) * Floats(n_dot_l)) * at.color * light.radiance;
+        const Reals falloff = finish.brilliance == 1 ? n_dot_l : power(light.are, n_dot_l, finish.brilliance);
+        Radiances brings = (at.opacity * Floats(finish.diffuse) * Floats(falloff)) * at.color * light.radiance;
         sum = select(light.are, sum + brings, sum);
         if (!source.shadowless) sum = select(light.are, sum + highlights(at, light, n_dot_l), sum);
     }

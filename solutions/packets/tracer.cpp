@@ -301,7 +301,7 @@ void Tracer::mirror(std::size_t depth) {
         Radiance brought = next.brought[static_cast<Number>(c)];
         const float exponent = scene_.materials[f.material[n]].finish.reflection.exponent;
         if (exponent != 1)
-            for (int k = 0; k < 3; ++k) brought[k] = std::pow(brought[k], exponent);
+            for (int k = 0; k < 3; ++k) brought[k] = std::pow(std::max(0.0f, brought[k]), exponent);
         f.brought.set(n, f.brought[n] + f.share[n] * brought);
     }
 }

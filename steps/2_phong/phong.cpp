@@ -52,7 +52,7 @@ Radiance ambient(const Surface& surface, const Radiance& ambient_light) {
 
 Radiance diffuse(const Surface& surface, const Illumination& light) {
     // Task 2.3: Lambert's law: the finish's diffuse times n . l, tinted by the surface's colour and opacity and by the
-    // light. Nothing from behind.
+    // light. Nothing from behind. With a brilliance other than 1, n . l is raised to that power.
     unfinished("2.3");
     return {};
 }

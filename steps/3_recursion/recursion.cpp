@@ -123,7 +123,8 @@ bool is_pruned(const GlobalSettings& settings, const Branch& branch) {
 Radiance reflected_light(World& world, const Interaction& at, const Radiance& reflectivity) {
     // Task 3.9: Trace the mirror ray: one level deeper, in the same media, its weight multiplied by the largest lane of
     // reflectivity (without fresnel: by the largest lane of the finish's min and max). Each lane of what it brings
-    // is raised to the finish's exponent before it is multiplied by the reflectivity.
+    // is raised to the finish's exponent (below 0 there is nothing to raise) before it is multiplied by the
+    // reflectivity.
     unfinished("3.9");
     return {};
 }

@@ -47,6 +47,7 @@ struct Finish {
     Radiance ambient{0.1f};
     Radiance emission{0.0f};
     float diffuse = 0.6f;
+    float brilliance = 1;  ///< exponent of n . l in the diffuse part
     float phong = 0;
     float phong_size = 40;
     float specular = 0;

@@ -9,6 +9,7 @@ namespace {
 
 /// `albedo` makes a number mean reflected energy; it is worked into the number when the finish ends.
 struct Albedo {
+    bool diffuse = false;
     bool phong = false;
     bool specular = false;
 };
@@ -55,8 +56,8 @@ void only(Interpreter& in, double allowed) {
     }
 }
 
-void read_diffuse(Interpreter& in, Finish& finish) {
-    in.accept(Word::albedo_);  // with brilliance 1 it changes nothing
+void read_diffuse(Interpreter& in, Finish& finish, Albedo& albedo) {
+    albedo.diffuse = in.accept(Word::albedo_) || albedo.diffuse;
     finish.diffuse = single(in);
     in.comma();
     if (in.number_follows() && in.number() != 0) {
@@ -95,7 +96,7 @@ bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
             return true;
         case Word::diffuse_:
             in.take();
-            read_diffuse(in, finish);
+            read_diffuse(in, finish, albedo);
             return true;
         case Word::phong_:
             in.take();
@@ -136,7 +137,9 @@ bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
             finish.conserve_energy = true;
             return true;
         case Word::brilliance_:
-            only(in, 1);
+            in.take();
+            finish.brilliance = single(in);
+            if (!(finish.brilliance >= 0)) in.fail(place, "brilliance must not be negative");
             return true;
         case Word::crand_:
             only(in, 0);
@@ -157,10 +160,11 @@ FinishDraft read_finish(Interpreter& in, FinishDraft draft) {
     }
     if (!in.accept('}')) {
         in.unexpected(
-            "ambient, diffuse, emission, phong, phong_size, specular, roughness, metallic, reflection, conserve_energy "
-            "or '}' in a finish");
+            "ambient, diffuse, emission, phong, phong_size, specular, roughness, metallic, brilliance, reflection, "
+            "conserve_energy or '}' in a finish");
     }
     // POV-Ray's normalisations of `albedo` (methods: Lewis; Blinn-Phong over the hemisphere).
+    if (albedo.diffuse) finish.diffuse *= (finish.brilliance + 1) / 2;
     if (albedo.phong) finish.phong *= (finish.phong_size + 1) / 2;
     if (albedo.specular) {
         const float exponent = 1 / finish.roughness;

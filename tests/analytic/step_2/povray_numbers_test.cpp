@@ -17,6 +17,11 @@ struct Measured {
 const Measured kMeasured[] = {
     // A light at 60 degrees, colour 0.5: no 1 / pi.
     {"diffuse 0.6", "light_source { <sqrt(3), 0, -1> rgb 0.5 }", 0.11999694819562066},
+    // Brilliance is a power of the cosine; with albedo the reflected energy stays as stated.
+    {"diffuse 0.6 brilliance 3", "light_source { <sqrt(3), 0, -1> rgb 0.5 }", 0.029999237048905166},
+    {"diffuse albedo 0.6 brilliance 3", "light_source { <sqrt(3), 0, -1> rgb 0.5 }", 0.05999847409781033},
+    {"diffuse 0.6 brilliance 0.5", "light_source { <sqrt(3), 0, -1> rgb 0.5 }", 0.1697108415350576},
+    {"diffuse 0.6 brilliance 0", "light_source { <sqrt(3), 0, -1> rgb 0.5 }", 0.23999389639124133},
     // Parallel rays, in front of and behind the light's plane: behind, lit all the same, and through any occluder.
     {"diffuse 1", "light_source { <sqrt(3), 0, -1> rgb 0.5 parallel point_at <0, 0, -0.5> }", 0.11093308918898298},
     {"diffuse 1", "light_source { <0, 0, 1> rgb 0.5 parallel point_at <0, 0, 2> }", 0.4},

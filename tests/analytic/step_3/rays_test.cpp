@@ -144,6 +144,17 @@ TEST(Chord, TheSecondHitIsAChordAway) {
     }
 }
 
+TEST(Mirror, NegativeLightHasNoPowersInAMirror) {
+    // A light that takes light away, seen in a mirror whose reflections have a fractional exponent: black, not NaN.
+    const Scene scene = staged(
+        "light_source { <0, 0, -5>, rgb -1 } plane { z, 0 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 1 "
+        "exponent 3 } } } plane { z, -6 inverse pigment { rgb 1 } finish { ambient 0 diffuse 1 } }");
+    const BruteForce intersector(scene);
+    World world = make_world(scene, intersector);
+    const Radiance seen = radiance(world, {{0.1, 0, -3}, {0, 0, 1}}, {});
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(seen[c], 0);
+}
+
 TEST(Furnace, LosslessGlassIsInvisible) {
     const std::string all = kDeep + "background { rgb 1 }\n";
     for (const char* thing : {"sphere { 0, 1 ", "box { -0.8, 0.8 rotate <20, 30, 10> ",

@@ -77,9 +77,9 @@ private:
                            maybe(5, "metallic"));
     }
     std::string texture() {
-        return fmt::format("{} finish {{ ambient {} diffuse {}{}{}{}{}{}{} }}{}{}", pigment(),
+        return fmt::format("{} finish {{ ambient {} diffuse {}{}{}{}{}{}{}{} }}{}{}", pigment(),
                            pick({"0", "0.1", "rgb <0.1, 0.2, 0.3>"}), pick({"0", "0.6", "0.9"}),
-                           maybe(6, "emission rgb " + vector(0, 0.3)),
+                           maybe(4, "brilliance " + pick({"2", "0.5", "0"})), maybe(6, "emission rgb " + vector(0, 0.3)),
                            maybe(3, fmt::format("phong {} phong_size {}", number(0.1, 1), number(1, 120))),
                            maybe(3, fmt::format("specular {} roughness {}", number(0.1, 1), number(0.005, 0.5))),
                            maybe(5, "metallic"), maybe(2, mirror()), maybe(4, "conserve_energy"),

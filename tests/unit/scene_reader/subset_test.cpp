@@ -21,7 +21,7 @@ TEST(Subset, EveryOtherWordOfPovRayIsRefusedNotIgnored) {
                              "sphere { 0, 1 normal { bumps 1 } }",
                              "sphere { 0, 1 pigment { granite } }",
                              "sphere { 0, 1 finish { irid { 1 } } }",
-                             "sphere { 0, 1 finish { brilliance 2 } }",
+                             "sphere { 0, 1 finish { brilliance -1 } }",
                              "sphere { 0, 1 no_image }",
                              "camera { fisheye }",
                              "light_source { 0, 1 looks_like { sphere { 0, 1 } } }",

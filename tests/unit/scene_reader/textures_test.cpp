@@ -21,7 +21,7 @@ TEST(TextureReader, EveryWordOfAFinish) {
     const Scene scene = scene_of(
         "sphere { 0, 1 finish { ambient rgb <1,2,3> diffuse 0.5 emission 0.25 phong 0.7 phong_size 80 specular 0.3 "
         "roughness 0.01\n"
-        "metallic 0.5 reflection { 0.1, 0.9 fresnel on falloff 2 exponent 0.5 metallic } conserve_energy brilliance 1 "
+        "metallic 0.5 reflection { 0.1, 0.9 fresnel on falloff 2 exponent 0.5 metallic } conserve_energy brilliance 2 "
         "} }");
     const Finish& finish = worn(scene, 0).finish;
     EXPECT_EQ(finish.ambient[2], 3);
@@ -39,6 +39,7 @@ TEST(TextureReader, EveryWordOfAFinish) {
     EXPECT_EQ(finish.reflection.exponent, 2);  // the power that is applied: 1 / 0.5
     EXPECT_EQ(finish.reflection.metallic, 1);
     EXPECT_TRUE(finish.conserve_energy);
+    EXPECT_EQ(finish.brilliance, 2);
 }
 
 TEST(TextureReader, ReflectionInShort) {
@@ -56,6 +57,8 @@ TEST(TextureReader, AlbedoIsWorkedIn) {
     const Scene scene =
         scene_of("sphere { 0, 1 finish { phong albedo 1 phong_size 10 specular albedo 1 roughness 0.1 } }");
     EXPECT_FLOAT_EQ(worn(scene, 0).finish.phong, 5.5f);
+    const Scene metal = scene_of("sphere { 0, 1 finish { diffuse albedo 0.5 brilliance 5 } }");
+    EXPECT_FLOAT_EQ(worn(metal, 0).finish.diffuse, 1.5f);
     EXPECT_NEAR(worn(scene, 0).finish.specular, 12 / (4 * (2 - std::pow(2.0, -5.0))), 1e-5);
 }
 
