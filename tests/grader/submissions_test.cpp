@@ -202,8 +202,8 @@ TEST_F(SubmissionsTest, AKnownMistakeIsNamedInHalfFinishedWork) {
 
 // Light falls off with the root of the cosine: wrong, and none of the list.
 TEST_F(SubmissionsTest, AnUnknownMistakeIsCaughtAndNotGivenAWrongName) {
-    put(kFile, replaced(solution(), "finish->diffuse * static_cast<float>(n_dot_l)",
-                        "finish->diffuse * std::sqrt(static_cast<float>(n_dot_l))"));
+    put(kFile, replaced(solution(), "finish->diffuse * falloff",
+                        "finish->diffuse * std::sqrt(falloff)"));
     expect_caught(run().steps.at(0), {"2.3.unit", "2.10.unit"}, "none");
 }
 
