@@ -47,9 +47,6 @@ public:
         end_at(far, active);
     }
 
-    int longest_axis() const { return way_.longest_axis; }
-    Mask active() const { return active_; }
-
     /// From now on rays count up to `far`; those that are not open do not count at all.
     void end_at(Reals far, Mask open) {
         const __m256 f = clamped(Floats(far).v);

@@ -279,6 +279,7 @@ bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
            packets::has_packet_test(scene(), scene().objects[tester.primitive(primitive).object]);
 }
 
+// Flattened, like blocked_by: roots are 320 bytes, and handing them through memory cost up to 3 % of a picture.
 [[gnu::flatten]] bool PacketIntersector::keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const {
     const PrimitiveTester& tester = hierarchy_->tester;
     if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
