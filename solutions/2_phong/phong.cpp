@@ -225,14 +225,15 @@ bool any_occluder(const Scene& scene, const Ray& ray, Interval range) {
 
 // ---- Task 2.10: the sum ---------------------------------------------------------------------------------------------
 
-Radiance direct_light(const Scene& scene, const Visibility& visibility, const Surface& surface) {
+Radiance direct_light(const Scene& scene, std::span<const Light> lights, const Visibility& visibility,
+                      const Surface& surface) {
     //> 2.10 Ambient light once, and for every light diffuse, phong and blinn, its radiance first multiplied by its
     //>   visibility. A shadowless light is fully visible and makes no highlights. Do not ask for visibility where no
     //>   light would arrive anyway.
     const Finish& finish = *surface.finish;
     Radiance sum = ambient(surface, scene.settings.ambient_light);
     if (!(finish.diffuse > 0) && !(finish.phong > 0) && !(finish.specular > 0)) return sum;
-    for (const Light& source : scene.lights) {
+    for (const Light& source : lights) {
         Illumination light = illuminate(source, surface.point);
         if (light.radiance.is_black() || !(cosine(surface.normal, light.to_light) > 0)) continue;
         if (!source.shadowless) light.radiance *= visibility.of(surface, light);

@@ -32,7 +32,7 @@ World make_world(const Scene& scene, const Intersector& intersector) {
     const auto clear = [&](const Object& object) { return lets_light_through(scene, object); };
     const auto clear_caster = [&](const Object& object) { return !object.no_shadow && clear(object); };
     const auto any = [&](const auto& what) { return std::any_of(scene.objects.begin(), scene.objects.end(), what); };
-    return {scene, intersector, any(clear), scene.settings.filtered_shadows && any(clear_caster)};
+    return {scene, intersector, scene.lights, nullptr, any(clear), scene.settings.filtered_shadows && any(clear_caster)};
 }
 //< given
 
@@ -266,8 +266,8 @@ Radiance outgoing(World& world, const Interaction& at) {
     const Surface& surface = at.surface;
     const Finish& finish = *surface.finish;
     Radiance sum = world.filtered_shadows
-                       ? direct_light(world.scene, FilteredShadows(world, at.from.inside), surface)
-                       : direct_light(world.scene, OpaqueShadows(world.intersector), surface);
+                       ? direct_light(world.scene, world.lights, FilteredShadows(world, at.from.inside), surface)
+                       : direct_light(world.scene, world.lights, OpaqueShadows(world.intersector), surface);
     const Real ior = finish.reflection.fresnel ? fresnel_ior(world.scene, at.from.inside, at.medium) : Real(1);
     const Radiance mirror = reflectivity(surface, ior);
     Radiance tint = surface.clear;
@@ -298,8 +298,10 @@ Radiance trace(World& world, const Branch& branch) {
     const auto hit = world.intersector.nearest(branch.ray, {kNearest, kFarthest});
     if (!hit) return log.brings(world.scene.background);
     ++world.above;
-    const Radiance brought = outgoing(world, {branch, hit->t, surface_at(world.scene, *hit, -branch.ray.direction),
-                                              medium_of(world.scene, hit->object)});
+    Surface surface = surface_at(world.scene, *hit, -branch.ray.direction);
+    if (world.roughness) [[unlikely]]
+        world.roughness->tilt(surface);
+    const Radiance brought = outgoing(world, {branch, hit->t, surface, medium_of(world.scene, hit->object)});
     --world.above;
     return log.brings(brought);
 }

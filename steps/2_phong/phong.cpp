@@ -122,7 +122,8 @@ bool any_occluder(const Scene& scene, const Ray& ray, Interval range) {
 
 // ---- Task 2.10: the sum ---------------------------------------------------------------------------------------------
 
-Radiance direct_light(const Scene& scene, const Visibility& visibility, const Surface& surface) {
+Radiance direct_light(const Scene& scene, std::span<const Light> lights, const Visibility& visibility,
+                      const Surface& surface) {
     // Task 2.10: Ambient light once, and for every light diffuse, phong and blinn, its radiance first multiplied by its
     // visibility. A shadowless light is fully visible and makes no highlights. Do not ask for visibility where no
     // light would arrive anyway.

@@ -4,6 +4,8 @@
 // the viewer's side. The formulas are POV-Ray's: no 1/pi, and no cosine on highlights (see the handout).
 #pragma once
 
+#include <span>
+
 #include "core/intersector.h"
 #include "core/radiance.h"
 #include "core/scene.h"
@@ -102,9 +104,10 @@ private:
     const Intersector& intersector_;
 };
 
-/// Ambient light and all light sources together. Asks for visibility only where a light could show: at most once a
+/// Ambient light and the light of `lights` together: the scene's, or what stands for them (step 5). Asks for visibility only where a light could show: at most once a
 /// light, never for shadowless ones, for lights behind the surface, or for a finish without diffuse and highlights.
 /// POV-Ray's shadowless lights make no highlights.
-Radiance direct_light(const Scene& scene, const Visibility& visibility, const Surface& surface);
+Radiance direct_light(const Scene& scene, std::span<const Light> lights, const Visibility& visibility,
+                      const Surface& surface);
 
 }  // namespace rays

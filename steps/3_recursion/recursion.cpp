@@ -31,7 +31,7 @@ World make_world(const Scene& scene, const Intersector& intersector) {
     const auto clear = [&](const Object& object) { return lets_light_through(scene, object); };
     const auto clear_caster = [&](const Object& object) { return !object.no_shadow && clear(object); };
     const auto any = [&](const auto& what) { return std::any_of(scene.objects.begin(), scene.objects.end(), what); };
-    return {scene, intersector, any(clear), scene.settings.filtered_shadows && any(clear_caster)};
+    return {scene, intersector, scene.lights, nullptr, any(clear), scene.settings.filtered_shadows && any(clear_caster)};
 }
 
 // ---- Task 3.1: mirrors ----------------------------------------------------------------------------------------------
@@ -159,8 +159,10 @@ Radiance trace(World& world, const Branch& branch) {
     const auto hit = world.intersector.nearest(branch.ray, {kNearest, kFarthest});
     if (!hit) return log.brings(world.scene.background);
     ++world.above;
-    const Radiance brought = outgoing(world, {branch, hit->t, surface_at(world.scene, *hit, -branch.ray.direction),
-                                              medium_of(world.scene, hit->object)});
+    Surface surface = surface_at(world.scene, *hit, -branch.ray.direction);
+    if (world.roughness) [[unlikely]]
+        world.roughness->tilt(surface);
+    const Radiance brought = outgoing(world, {branch, hit->t, surface, medium_of(world.scene, hit->object)});
     --world.above;
     return log.brings(brought);
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "2_phong/phong.h"
 #include "core/intersector.h"
@@ -80,10 +81,19 @@ struct Branch {
     Inside inside;
 };
 
+/// What rough surfaces do to their normals before they are lit (step 5).
+class Roughness {
+public:
+    virtual ~Roughness() = default;
+    virtual void tilt(Surface& surface) = 0;
+};
+
 /// What rays ask, and what they leave behind. One for each thread.
 struct World {
     const Scene& scene;
     const Intersector& intersector;
+    std::span<const Light> lights;   ///< the scene's, or the points of them that this ray tree sees (step 5)
+    Roughness* roughness = nullptr;  ///< null: all surfaces are smooth
     bool sees_through = false;      ///< something lets light through: it matters which media rays are in
     bool filtered_shadows = false;  ///< and casts shadows: they are tinted
     int above = 0;                  ///< branches above the one in hand, straight ones too

@@ -55,6 +55,7 @@ struct Finish {
     float metallic = 0;
     Reflection reflection;
     bool conserve_energy = false;
+    float glossy = 0;  ///< > 0: the normal is tilted by chance, around the true one as cos^(1 / glossy) (step 5)
 };
 
 /// What light meets on its way through a medium. All coefficients per unit length.

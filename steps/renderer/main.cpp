@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -26,7 +25,7 @@ namespace rays {
 namespace {
 
 struct Arguments {
-    std::string scene, output, stats, pixel, cost_map, partition = "auto";
+    std::string scene, output, stats, pixel, cost_map, partition = "auto", pattern = "auto", filter = "box";
     RenderOptions options;
     std::vector<std::string> without;
     int max_trace_level = 0;
@@ -52,9 +51,20 @@ void check(Arguments& a) {
     const auto [width, height] = a.options.raster;
     if (width < 1 || height < 1 || width > 32768 || height > 32768 || std::int64_t{width} * height > (1 << 28))
         throw InputError(fmt::format("a picture of {} x {} pixels: need 1 to 32768 each way and at most 2^28 in all", width, height));
-    const auto side = std::lround(std::sqrt(a.options.samples));
-    if (a.options.samples < 1 || a.options.samples > 4096 || side * side != a.options.samples)
-        throw InputError(fmt::format("--samples {}: need a square number up to 4096; other patterns come with step 5", a.options.samples));
+    if (a.options.samples < 1 || a.options.samples > 1 << 20)
+        throw InputError(fmt::format("--samples {}: need 1 to 2^20", a.options.samples));
+    if (a.pattern != "auto") {
+        a.options.pattern = pattern_named(a.pattern);
+        if (!a.options.pattern)
+            throw InputError(fmt::format("--pattern {}: need auto, regular, random, jittered, multi_jittered or sobol", a.pattern));
+    }
+    const auto filter = filter_named(a.filter);
+    if (!filter) throw InputError(fmt::format("--filter {}: need box, tent or mitchell", a.filter));
+    a.options.filter = *filter;
+    if (!(a.options.error >= 0)) throw InputError(fmt::format("--error {}: need 0 (off) or more", a.options.error));
+    const Pattern pattern = a.options.pattern.value_or(Pattern::sobol);
+    if (a.options.error > 0 && pattern != Pattern::sobol && pattern != Pattern::random)
+        throw InputError(fmt::format("--error needs a pattern that goes on when it is done: sobol or random, not {}", a.pattern));
     const auto partition = partition_named(a.partition);
     if (!partition) throw InputError(fmt::format("--partition {}: need auto, none, grid, octree or bvh", a.partition));
     a.options.partition = *partition;
@@ -76,7 +86,10 @@ Scene read(const Arguments& a) {
 Scene stage(const Arguments& a) {
     Scene scene = read(a);
     require_built(scene);
-    if (!a.everything) drop_what_is_not_needed(scene);
+    if (!a.everything) {
+        drop_what_is_not_needed(scene);
+        drop_small_blur(scene, a.options.raster);
+    }
     prepare(scene);
     return scene;
 }
@@ -104,8 +117,8 @@ void write_stats(const std::string& path, const Seconds& seconds, const Residual
     std::ofstream file(path);
     file << fmt::format(R"({{"unfinished":[{}],"seconds":{{"read":{:.6f},"render":{:.6f},"write":{:.6f}}},)", unfinished,
                         seconds.read, seconds.render, seconds.write)
-         << fmt::format(R"("residual":{{"mean":{:.9g},"max":{:.9g},"x":{},"y":{}}}}})", residual.mean, residual.max,
-                        residual.x, residual.y)
+         << fmt::format(R"("residual":{{"mean":{:.9g},"max":{:.9g},"x":{},"y":{}}},"samples":{:.9g}}})", residual.mean, residual.max,
+                        residual.x, residual.y, residual.samples)
          << '\n';
     if (!file.flush()) throw InputError(path + ": cannot write the statistics; check that the folder exists and has room");
 }
@@ -186,7 +199,10 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("-o,--output", a.output, "the picture: .exr (linear floats) or .png");
     app.add_option("--width", a.options.raster.width, "pixels")->capture_default_str();
     app.add_option("--height", a.options.raster.height, "pixels")->capture_default_str();
-    app.add_option("--samples", a.options.samples, "a pixel; a square number")->capture_default_str();
+    app.add_option("--samples", a.options.samples, "a pixel; with --error: at most")->capture_default_str();
+    app.add_option("--pattern", a.pattern, "of samples: auto, regular, random, jittered, multi_jittered or sobol")->capture_default_str();
+    app.add_option("--filter", a.filter, "of pixels: box, tent or mitchell")->capture_default_str();
+    app.add_option("--error", a.options.error, "go on until the standard error of a pixel is at most this; 0: all get --samples")->capture_default_str();
     app.add_option("--seed", a.options.seed, "of everything random")->capture_default_str();
     app.add_option("--threads", a.options.threads, "0: one a core")->capture_default_str();
     app.add_option("--partition", a.partition, "auto, none, grid, octree or bvh; the picture is the same")->capture_default_str();

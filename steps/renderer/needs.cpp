@@ -159,6 +159,9 @@ std::vector<Effect> all_effects() {
         {"motion", 5, "numbers that change with Time",
          [](const Scene& s) { return varies_with(s, Varying::Variable::time); },
          [](Scene& s) { hold_still(s, Varying::Variable::time); }},
+        {"glossy", 5, "rough mirrors and rough glass",
+         [](const Scene& s) { return any_finish(s, [](auto& f) { return f.glossy > 0; }); },
+         [](Scene& s) { each_finish(s, [](Finish& f) { f.glossy = 0; }); }},
         {"spectrum", 6, "numbers that change with Wavelength",
          [](const Scene& s) { return varies_with(s, Varying::Variable::wavelength_nm); },
          [](Scene& s) { hold_still(s, Varying::Variable::wavelength_nm); }},
@@ -199,6 +202,7 @@ void require_built(const Scene& scene) {
 }
 
 void drop_what_is_not_needed(Scene& scene) {
+    if (!scene.varying.empty()) return;  // what is nothing now may be something later
     std::erase_if(scene.lights, [](const Light& light) { return light.color.is_black(); });
     each_finish(scene, [](Finish& f) {
         if (f.phong == 0 && f.specular == 0) f.metallic = 0;

@@ -19,7 +19,7 @@ struct Effect {
 };
 
 /// The last step that is built. A scene that needs a later one is refused, not rendered wrongly.
-inline constexpr int kLastBuiltStep = 4;
+inline constexpr int kLastBuiltStep = 5;
 
 /// All effects, in the order of the steps.
 const std::vector<Effect>& effects();
@@ -32,6 +32,10 @@ void require_built(const Scene& scene);
 
 /// Drops what cannot change a pixel: black lights, highlights of strength 0 and the like. Never changes the picture.
 void drop_what_is_not_needed(Scene& scene);
+
+/// A lens that blurs nothing by half a pixel becomes a pinhole; an area light without a penumbra of half a pixel, a point.
+/// The picture changes by less than that. Scenes that move keep both.
+void drop_small_blur(Scene& scene, Raster raster);
 
 std::string needs_to_text(const Scene& scene);
 std::string needs_to_json(const Scene& scene);

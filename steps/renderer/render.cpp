@@ -10,17 +10,12 @@
 #include "renderer/brute_force.h"
 #include "renderer/camera_media.h"
 #include "renderer/packets.h"
+#include "renderer/distribute.h"
 #include "renderer/radiance.h"
+#include "renderer/rows.h"
 
 namespace rays {
 namespace {
-
-// Magenta stripes over half of what is there: the finished parts stay visible. What was computed from an unfinished
-// function's empty answer may be NaN, a picture may not.
-Radiance striped(const Radiance& value, int x, int y) {
-    const bool stripe = (x + y) / 4 % 2 == 0;
-    return (value.is_finite() ? 0.5f * value : Radiance()) + (stripe ? Radiance(0.5f, 0.0f, 0.4f) : Radiance(0.05f));
-}
 
 /// From the scene's numbers to the light that they stand for. Samples of a pixel are averaged before, as in POV-Ray.
 void develop(Film& film, const Gamma& gamma) {
@@ -36,34 +31,6 @@ void develop(Film& film, const Gamma& gamma) {
         }
     }
 }
-
-/// The residuals of a picture, row by row: their sum is the same for any number of threads.
-class Residuals {
-public:
-    explicit Residuals(int rows) : rows_(static_cast<std::size_t>(rows)) {}
-
-    void add(int x, int y, double pruned) {
-        Row& row = rows_[static_cast<std::size_t>(y)];
-        row.sum += pruned;
-        if (pruned > row.max) row.max = pruned, row.x = x;
-    }
-    Residual over(Raster raster) const {
-        Residual all;
-        for (std::size_t y = 0; y < rows_.size(); ++y) {
-            all.mean += rows_[y].sum;
-            if (rows_[y].max > all.max) all = {all.mean, rows_[y].max, rows_[y].x, static_cast<int>(y)};
-        }
-        all.mean /= double(raster.width) * raster.height;
-        return all;
-    }
-
-private:
-    struct Row {
-        double sum = 0, max = 0;
-        int x = 0;
-    };
-    std::vector<Row> rows_;
-};
 
 /// A regular grid of points in a pixel, as offsets from its centre.
 class Grid {
@@ -136,7 +103,10 @@ std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition part
     return structure;
 }
 
-Film render(const Scene& scene, const RenderOptions& options, Residual* residual) {
+namespace {
+
+/// One sample in each pixel's centre, or a regular grid of them.
+Film render_regularly(const Scene& scene, const RenderOptions& options, Residual* residual) {
     Film film(options.raster);
     // Packets take the place of the automatic choice only.
     const bool may_pack = options.packets && options.partition == Partition::automatic;
@@ -166,12 +136,39 @@ Film render(const Scene& scene, const RenderOptions& options, Residual* residual
     for (int i = 1; i < std::min(wanted, options.raster.height); ++i) helpers.emplace_back(work, false);
     work(true);
     helpers.clear();
-    if (residual) *residual = residuals.over(options.raster);
+    if (residual) *residual = residuals.over(options.raster), residual->samples = options.samples;
+    return film;
+}
+
+bool is_square(int n) {
+    const auto side = std::lround(std::sqrt(n));
+    return side * side == n;
+}
+
+}  // namespace
+
+bool is_distributed(const Scene& scene, const RenderOptions& options) {
+    return needs_distribution(scene) || options.pattern || options.filter != Filter::box || options.error > 0 ||
+           !is_square(options.samples);
+}
+
+Film render(const Scene& scene, const RenderOptions& options, Residual* residual) {
+    Film film = is_distributed(scene, options) ? render_distributed(scene, options, residual)
+                                               : render_regularly(scene, options, residual);
     develop(film, scene.settings.gamma);
     return film;
 }
 
 QueryLog explain(const Scene& scene, const RenderOptions& options, int column, int row) {
+    if (needs_distribution(scene)) {
+        const Distribution distribution(scene, options);
+        SampleTracer tracer(distribution);
+        QueryLog log;
+        query_log = &log;
+        tracer.sample(column, row, distribution.draw(column, row, 0, static_cast<std::uint32_t>(options.samples)));
+        query_log = nullptr;
+        return log;
+    }
     const auto intersector = make_intersector(scene, options.partition);
     World world = make_world(scene, *intersector);
     const Ray ray = camera_ray(scene.camera, options.raster, column, row);

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "4_partitioning/partitioning.h"
+#include "5_distributed/distributed.h"
 #include "core/film.h"
 #include "core/query_log.h"
 #include "core/scene.h"
@@ -16,7 +18,12 @@ namespace rays {
 
 struct RenderOptions {
     Raster raster;
-    int samples = 1;  ///< a square number: a regular grid in the pixel. 1: the pixel's centre.
+    int samples = 1;  ///< a pixel
+    /// Nothing: a regular grid in the pixel (1: its centre) where that shows the scene and the number is a square; else Sobol
+    /// points.
+    std::optional<Pattern> pattern;
+    Filter filter = Filter::box;
+    float error = 0;  ///< > 0: pixels stop when their standard error is no larger; `samples` is the most, needs sobol or random
     std::uint64_t seed = 0;
     int threads = 0;  ///< 0: one a core
     Partition partition = Partition::automatic;
@@ -34,12 +41,16 @@ std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition part
 struct Residual {
     double mean = 0, max = 0;
     int x = 0, y = 0;  ///< the pixel of the largest
+    double samples = 1;  ///< a pixel, in the mean
 };
+
+/// Does the picture take random samples, for the scene's sake or by wish?
+bool is_distributed(const Scene& scene, const RenderOptions& options);
 
 /// The same bytes for any number of threads. Pixels that needed an unfinished task are striped.
 Film render(const Scene& scene, const RenderOptions& options, Residual* residual = nullptr);
 
-/// Every ray asked for one pixel (one sample at its centre).
+/// Every ray asked for one pixel: of one sample at its centre, or of the first sample where the scene is distributed over.
 QueryLog explain(const Scene& scene, const RenderOptions& options, int column, int row);
 
 }  // namespace rays

@@ -16,7 +16,24 @@ struct Said {
     Placement placement;
 };
 
+/// Words that POV-Ray does not know: they stand between #ifdef (Raysteps) and #end.
+bool read_own_item(Interpreter& in, CameraDraft& camera) {
+    const Place place = in.peek().place;
+    if (in.accept_own("aperture_blades")) {
+        camera.aperture_blades = in.integer("aperture_blades", 3, 64);
+        return true;
+    }
+    if (!in.accept_own("shutter")) return false;
+    camera.shutter_open = in.number();
+    in.comma();
+    camera.shutter_close = in.number();
+    if (!(0 <= camera.shutter_open && camera.shutter_open <= camera.shutter_close && camera.shutter_close <= 1))
+        in.fail(place, "a shutter opens and closes between the times 0 and 1, in this order");
+    return true;
+}
+
 bool read_item(Interpreter& in, CameraDraft& camera, Said& said) {
+    if (read_own_item(in, camera)) return true;
     if (in.peek().kind != Token::Kind::word) return false;
     const Place place = in.peek().place;
     switch (in.peek().word) {
@@ -187,7 +204,7 @@ CameraDraft read_camera(Context& context) {
     if (!in.accept('}')) {
         in.unexpected(
             "perspective, orthographic, location, direction, right, up, sky, angle, look_at, aperture, focal_point, "
-            "blur_samples, a transform or '}' in a camera");
+            "blur_samples, aperture_blades, shutter, a transform or '}' in a camera");
     }
     return camera;
 }
@@ -212,6 +229,9 @@ Camera final_camera(const CameraDraft& draft, Interpreter& in, const Place& plac
     camera.up = Vec3(draft.up);
     camera.aperture = static_cast<Real>(draft.aperture);
     camera.blur_samples = draft.blur_samples;
+    camera.aperture_blades = draft.aperture_blades;
+    camera.shutter_open = static_cast<Real>(draft.shutter_open);
+    camera.shutter_close = static_cast<Real>(draft.shutter_close);
     // POV-Ray keeps the distance only: what is in focus is the plane across the axis at that distance.
     double distance = draft.focal_distance < 0 ? glm::length(draft.direction) : draft.focal_distance;
     if (distance == 0) distance = 1;

@@ -77,6 +77,8 @@ struct CameraDraft {
     double focal_distance = -1;  ///< negative: never said
     V3 focal_point{0, 0, 1};
     int blur_samples = 0;
+    int aperture_blades = 0;
+    double shutter_open = 0, shutter_close = 1;
 };
 
 /// A light keeps POV-Ray's numbers in double until it stands where it belongs.

@@ -83,6 +83,12 @@ bool read_old_item(Interpreter& in, FinishDraft& draft) {
 }
 
 bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
+    const Place own = in.peek().place;
+    if (in.accept_own("glossy")) {  // POV-Ray does not know it: it stands between #ifdef (Raysteps) and #end
+        finish.glossy = single(in);
+        if (!(finish.glossy >= 0 && finish.glossy <= 1)) in.fail(own, "glossy lies between 0, a mirror, and 1");
+        return true;
+    }
     if (in.peek().kind != Token::Kind::word) return false;
     const Place place = in.peek().place;
     switch (in.peek().word) {
@@ -161,7 +167,7 @@ FinishDraft read_finish(Interpreter& in, FinishDraft draft) {
     if (!in.accept('}')) {
         in.unexpected(
             "ambient, diffuse, emission, phong, phong_size, specular, roughness, metallic, brilliance, reflection, "
-            "conserve_energy or '}' in a finish");
+            "conserve_energy, glossy or '}' in a finish");
     }
     // POV-Ray's normalisations of `albedo` (methods: Lewis; Blinn-Phong over the hemisphere).
     if (albedo.diffuse) finish.diffuse *= (finish.brilliance + 1) / 2;

@@ -58,6 +58,12 @@ public:
     }
     bool accept(char symbol) { return peek().is(symbol) && (has_peeked_ = false, true); }
     bool accept(Word word) { return peek().is(word) && (has_peeked_ = false, true); }
+    /// A word that only Raysteps knows, and only in this place: everywhere else it is a name like any other.
+    bool accept_own(std::string_view word) {
+        const Token& next = peek();
+        const bool is_name = next.kind == Token::Kind::name || next.kind == Token::Kind::value;
+        return is_name && next.text == word && (has_peeked_ = false, true);
+    }
     /// `where` is what the symbol belongs to: "a sphere".
     void expect(char symbol, std::string_view where);
     void comma() { accept(','); }

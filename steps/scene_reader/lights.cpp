@@ -122,6 +122,9 @@ bool read_area_item(Interpreter& in, LightDraft& draft) {
             light.orient = true;
             return true;
         case Word::area_illumination_:
+            in.take();
+            if (!in.flag()) in.note(word.place, "every point of an area light lights from where it is: area_illumination is always on");
+            return true;
         case Word::media_attenuation_:
         case Word::media_interaction_:
             in.take();

@@ -90,13 +90,15 @@ private:
         for (int i = 0; i < 3; ++i) part(kColumns[i], x[i]);
     }
     void parts(Maybe<Camera>& x) {
-        fixed(x.kind, x.blur_samples);
+        fixed(x.kind, x.blur_samples, x.aperture_blades);
         part("location", x.location);
         part("direction", x.direction);
         part("right", x.right);
         part("up", x.up);
         number("aperture", x.aperture);
         part("focal_point", x.focal_point);
+        number("shutter_open", x.shutter_open);
+        number("shutter_close", x.shutter_close);
     }
     void parts(Maybe<GlobalSettings>& x) {
         fixed(x.max_trace_level, x.photons, x.photon_count, x.gamma.srgb, x.gamma.power, x.filter_by_color);
@@ -210,6 +212,8 @@ private:
         number("specular", x.specular);
         number("roughness", x.roughness);
         number("metallic", x.metallic);
+        number("brilliance", x.brilliance);
+        number("glossy", x.glossy);
         fixed(x.reflection.fresnel);
         part("reflection.min", x.reflection.min);
         part("reflection.max", x.reflection.max);

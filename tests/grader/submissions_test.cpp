@@ -185,10 +185,10 @@ void expect_caught(const StepResult& step, const std::vector<std::string>& caugh
 TEST_F(SubmissionsTest, AKnownMistakeIsNamedInHalfFinishedWork) {
     std::string text = solution_with("    unfinished(\"2.8\");\n    return {};");
     text = replaced(
-        text, "Radiance direct_light(const Scene& scene, const Visibility& visibility, const Surface& surface) {",
-        "Radiance direct_light(const Scene&, const Visibility&, const Surface&) {\n    unfinished(\"2.10\");\n"
-        "    return {};\n}\n\n[[maybe_unused]] static Radiance later(const Scene& scene, const Visibility& "
-        "visibility, const Surface& surface) {");
+        text, "Radiance direct_light(const Scene& scene, std::span<const Light> lights, const Visibility& visibility,\n                      const Surface& surface) {",
+        "Radiance direct_light(const Scene&, std::span<const Light>, const Visibility&, const Surface&) {\n    unfinished(\"2.10\");\n"
+        "    return {};\n}\n\n[[maybe_unused]] static Radiance later(const Scene& scene, std::span<const Light> "
+        "lights, const Visibility& visibility, const Surface& surface) {");
     for (const Mutant& m : read_mutants(project.mutants()))
         if (m.id == "M2.3") text = apply(m, text);
     put(kFile, text);

@@ -106,7 +106,7 @@ TEST(ClosedForms, LightAddsUp) {
     const auto seen = [&](const std::string& lights) {
         const Scene scene = staged(finish + lights);
         const BruteForce intersector(scene);
-        return direct_light(scene, OpaqueShadows(intersector), surface_of(scene, n, n, v));
+        return direct_light(scene, scene.lights, OpaqueShadows(intersector), surface_of(scene, n, n, v));
     };
     const Radiance none = seen("");
     expect_near(seen(first + second), seen(first) + seen(second) - none, 3e-7);
@@ -121,7 +121,7 @@ TEST(ClosedForms, AmbientLightIsFlatAndKnowsNoShadow) {
     const BruteForce intersector(scene);
     const Radiance truth = 0.3f * Radiance(0.8f, 0.4f, 0.2f);
     for (const Vec3& n : {Vec3(0, 1, 0), Vec3(0, -1, 0), glm::normalize(Vec3(1, -2, 3))})
-        expect_near(direct_light(scene, OpaqueShadows(intersector), surface_of(scene, n, n, n)), truth, 1e-7);
+        expect_near(direct_light(scene, scene.lights, OpaqueShadows(intersector), surface_of(scene, n, n, n)), truth, 1e-7);
 }
 
 }  // namespace

@@ -33,7 +33,12 @@ expect 2 'which scene' "$render" -o "$dir/b.exr"
 expect 2 'nowhere.pov' "$render" nowhere.pov -o "$dir/b.exr"
 expect 2 'where to' "$render" "$scene"
 expect 2 '1000000000' "$render" "$scene" -o "$dir/b.exr" --width 1000000000 --height 1000000000
-expect 2 'samples' "$render" "$scene" -o "$dir/b.exr" --samples 7
+expect 2 'samples' "$render" "$scene" -o "$dir/b.exr" --samples 0
+expect 2 'pattern' "$render" "$scene" -o "$dir/b.exr" --pattern stars
+expect 2 'filter' "$render" "$scene" -o "$dir/b.exr" --filter sinc
+expect 2 'error' "$render" "$scene" -o "$dir/b.exr" --error -1
+expect 2 'goes on' "$render" "$scene" -o "$dir/b.exr" --error 0.01 --pattern jittered
+expect 0 '' "$render" "$scene" -o "$dir/b.exr" --samples 7 --filter mitchell
 expect 2 'no such effect' "$render" "$scene" -o "$dir/b.exr" --without gravity
 expect 2 'cannot write' "$render" "$scene" -o "$dir/no/b.exr"
 expect 2 'cannot write|only .exr' "$render" "$scene" -o "$dir/b.unknown"

@@ -32,17 +32,62 @@ const std::string kEverything = tests::kHead +
     "sphere { <-1.5,2.2,1>, 0.6 pigment { rgb <1,0.7,0.3> }\n"
     "  finish { ambient 0 diffuse 0.1 reflection { 0.7 metallic } reflection_exponent 1.5 } }\n";
 
-TEST(Needs, LeavingOutANeededEffectChangesThePicture) {
-    const Scene scene = read_scene_text(kEverything, "everything");
+/// And every effect of step 5.
+const std::string kDistributed = tests::kHead +
+    "camera { location <0,2,-6> direction z*1.5 right x*4/3 up y aperture 0.5 focal_point <0,2,0> }\n"
+    "light_source { <3,5,-4> rgb 1 area_light <2,0,0>, <0,0,2>, 4, 4 }\n"
+    "sphere { <-1 + 2 * Time,1,0>, 1 pigment { rgb <1,0.5,0.2> } finish { ambient 0.1 diffuse 0.6 phong 0.5 } }\n"
+    "plane { y, 0 pigment { checker rgb 1 rgb 0.2 } finish { ambient 0.1 diffuse 0.5 reflection 0.3 glossy 0.02 } }\n";
+
+void expect_each_effect_of(int step, const std::string& text) {
+    const Scene scene = read_scene_text(text, "everything");
     const Film full = picture(scene);
     for (const Effect& effect : effects()) {
-        if (effect.step > kLastBuiltStep) continue;
+        if (effect.step > kLastBuiltStep || (effect.step == 5) != (step == 5)) continue;
         ASSERT_TRUE(effect.needed(scene)) << effect.name;
         Scene without = scene;
         remove_effect(without, effect.name);
         EXPECT_FALSE(effect.needed(without)) << effect.name;
         EXPECT_FALSE(same_bytes(full, picture(without))) << effect.name << " makes no difference";
     }
+}
+
+TEST(Needs, LeavingOutANeededEffectChangesThePicture) {
+    expect_each_effect_of(1, kEverything);
+    expect_each_effect_of(5, kDistributed);
+}
+
+TEST(Needs, WithoutStep5AllOfItIsGone) {
+    Scene scene = read_scene_text(kDistributed, "distributed");
+    EXPECT_TRUE(is_distributed(scene, {}));
+    for (const char* effect : {"area_lights", "depth_of_field", "motion", "glossy"}) remove_effect(scene, effect);
+    EXPECT_FALSE(is_distributed(scene, {}));
+    EXPECT_TRUE(is_distributed(scene, {.samples = 7}));
+    EXPECT_FALSE(is_distributed(scene, {.samples = 9}));
+}
+
+/// Nothing of it can be seen: the bytes are those of a pinhole, a point light and a still scene.
+TEST(Needs, EffectsOfNoSizeAreNotModelled) {
+    const std::string rest =
+        "sphere { <0,1,0>, 1 pigment { rgb <1,0.5,0.2> } finish { ambient 0.1 diffuse 0.6 phong 0.5 } }\n"
+        "sphere { <2,1,1>, 1 pigment { rgb <1,0.5,0.9> } finish { ambient 0.1 diffuse 0.6 phong 0.5 } }\n";
+    const std::string camera = "camera { location <0,2,-6> direction z*1.5 right x*4/3 up y focal_point <0,2,0> ";
+    const auto staged = [&](const std::string& text) {
+        Scene scene = read_scene_text(tests::kHead + text + rest, "small");
+        drop_what_is_not_needed(scene);
+        drop_small_blur(scene, {60, 45});
+        return scene;
+    };
+    const Scene plain = staged(camera + "}\nlight_source { <30,50,-40> rgb 1 }\n");
+    const Scene small = staged(camera + "aperture 0.001 }\nlight_source { <30,50,-40> rgb 1 area_light x*0.001, y*0.001, 4, 4 }\n");
+    const Scene none = staged(camera + "aperture 0 }\nlight_source { <30,50,-40> rgb 1 area_light 0, 0, 4, 4 }\n");
+    const Scene large = staged(camera + "aperture 0.5 }\nlight_source { <30,50,-40> rgb 1 area_light x*9, y*9, 4, 4 }\n");
+    EXPECT_FALSE(is_distributed(small, {}));
+    EXPECT_FALSE(is_distributed(none, {}));
+    EXPECT_TRUE(same_bytes(picture(plain), picture(small)));
+    EXPECT_TRUE(same_bytes(picture(plain), picture(none)));
+    EXPECT_GT(large.camera.aperture, 0);
+    EXPECT_TRUE(large.lights.front().area);
 }
 
 TEST(Needs, WhatIsNotNeededMakesNoDifference) {
@@ -116,17 +161,17 @@ TEST(Needs, DroppingKeepsThePictureOfGlassThatHasWordsWithoutEffect) {
 }
 
 TEST(Needs, ALaterStepIsRefusedByName) {
-    const std::string soft = "light_source { <0,9,0>, rgb 1 area_light <1,0,0>, <0,0,1>, 4, 4 }";
-    const Scene later = read_scene_text(tests::kHead + soft, "soft.pov");
+    const std::string foggy = "media { scattering { 1, 0.1 } }";
+    const Scene later = read_scene_text(tests::kHead + foggy, "foggy.pov");
     try {
         require_built(later);
-        FAIL() << "a soft shadow was accepted";
+        FAIL() << "fog was accepted";
     } catch (const InputError& e) {
-        EXPECT_NE(std::string(e.what()).find("soft.pov: needs area_lights"), std::string::npos) << e.what();
-        EXPECT_NE(std::string(e.what()).find("step 5"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("foggy.pov: needs media"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("step 7"), std::string::npos) << e.what();
     }
     Scene plain = later;
-    remove_effect(plain, "area_lights");
+    remove_effect(plain, "media");
     EXPECT_NO_THROW(require_built(plain));
 }
 

@@ -40,7 +40,7 @@ TEST(Subset, AcceptedWithANote) {
          {"sphere { 0, 1 bounded_by { box { -1, 1 } } }", "sphere { 0, 1 pigment { rgb 1 quick_color rgb 0 } }",
           "global_settings { max_intersections 64 }", "torus { 1, 0.5 sturm }",
           "#version 3.7; camera { confidence 0.9 }", "#undef Nothing", "global_settings { charset utf8 }",
-          "#warning \"careful\"", "light_source { 0, 1 area_illumination on }"}) {
+          "#warning \"careful\"", "light_source { 0, 1 area_illumination off }"}) {
         const Scene scene = scene_of(text);
         ASSERT_EQ(scene.notes.size(), 1u) << text;
         EXPECT_TRUE(contains(scene.notes[0], "test.pov:1:")) << scene.notes[0];

@@ -61,7 +61,7 @@ TEST(EdgeCases, MetalIsFiniteWhereRoundingMakesTheCosineMoreThanOne) {
 TEST(EdgeCases, ALightAtTheSurfaceAddsNothing) {
     const Scene scene = staged(ball("ambient 0 diffuse 1 phong 1") + "light_source { <0, 1, 0>, rgb 1 }\n");
     const BruteForce intersector(scene);
-    expect_near(direct_light(scene, OpaqueShadows(intersector), up_facing(scene)), Radiance(0.0f), 0);
+    expect_near(direct_light(scene, scene.lights, OpaqueShadows(intersector), up_facing(scene)), Radiance(0.0f), 0);
 }
 
 TEST(EdgeCases, AParallelLightThatPointsAtItselfIsFinite) {

@@ -11,7 +11,7 @@ const Vec3 kUp{0, 1, 0};
 int shadow_rays(const std::string& scene_text, const Vec3& normal = kUp) {
     const Scene scene = staged(scene_text);
     const OpenSky sky;
-    direct_light(scene, OpaqueShadows(sky), surface_of(scene, normal, normal, normal));
+    direct_light(scene, scene.lights, OpaqueShadows(sky), surface_of(scene, normal, normal, normal));
     return sky.asked;
 }
 
@@ -37,7 +37,7 @@ TEST(Effort, NoneOutsideOfASpotlightsCone) {
 TEST(Effort, TheRangeLeavesOutBothEnds) {
     const Scene scene = staged(ball("diffuse 1") + "light_source { <3, 5, 0>, rgb 1 }\n");
     const OpenSky sky;
-    direct_light(scene, OpaqueShadows(sky), surface_of(scene, kUp, kUp, kUp));
+    direct_light(scene, scene.lights, OpaqueShadows(sky), surface_of(scene, kUp, kUp, kUp));
     ASSERT_EQ(sky.asked, 1);
     EXPECT_EQ(sky.last_ray.origin, kUp);
     EXPECT_NEAR(glm::length(sky.last_ray.direction), 1, 1e-6);
