@@ -297,10 +297,10 @@ Radiance trace(World& world, const Branch& branch) {
     const LoggedRay log(branch.kind, branch.weight);
     const auto hit = world.intersector.nearest(branch.ray, {kNearest, kFarthest});
     if (!hit) return log.brings(world.scene.background);
-    ++world.above;
     Surface surface = surface_at(world.scene, *hit, -branch.ray.direction);
     if (world.roughness) [[unlikely]]
-        world.roughness->tilt(surface);
+        world.roughness->tilt(surface, world.above);
+    ++world.above;
     const Radiance brought = outgoing(world, {branch, hit->t, surface, medium_of(world.scene, hit->object)});
     --world.above;
     return log.brings(brought);

@@ -38,16 +38,17 @@ bool is_enough(float own, std::span<const float> around, float wanted) {
 
 // ---- Task 5.12: dimensions ------------------------------------------------------------------------------------------
 
-std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, std::uint32_t lights) {
-    //> 5.12 Three for pixel, lens and time, two a light, and all above for rough surfaces, of which nobody knows how many
-    //>   there will be.
+std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, const Purposes& scene) {
+    //> 5.12 The pixel is 0. Then the lens, if there is one, and each light's point; the time, if there is one; a second one for
+    //>   each light, which only balls need; and all above are for rough surfaces, of which nobody knows how many there will be.
+    const std::uint32_t lights = scene.lens ? 2 : 1, time = lights + scene.lights, balls = time + (scene.time ? 1 : 0);
     switch (purpose) {
         case Purpose::pixel: return 0;
         case Purpose::lens: return 1;
-        case Purpose::time: return 2;
-        case Purpose::light: return 3 + 2 * number;
-        case Purpose::ball_light: return 4 + 2 * number;
-        case Purpose::rough_surface: return 3 + 2 * lights + number;
+        case Purpose::light: return lights + number;
+        case Purpose::time: return time;
+        case Purpose::ball_light: return balls + number;
+        case Purpose::rough_surface: return balls + scene.lights + number;
     }
     return 0;
     //< 5.12

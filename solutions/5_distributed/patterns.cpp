@@ -64,6 +64,32 @@ constexpr std::uint32_t pascal(std::uint32_t x) {
     return x ^ (x >> 16 & 0x0000ffffu);
 }
 
+/// Sobol's third and fourth dimension, byte by byte of the index: what its bits add up to (Joe and Kuo, "Constructing Sobol
+/// Sequences with Better Two-Dimensional Projections", 2008, dimensions 3 and 4).
+class ThirdAndFourth {
+public:
+    constexpr ThirdAndFourth() {
+        std::uint32_t third[32] = {1u << 31, 3u << 30}, fourth[32] = {1u << 31, 3u << 30, 1u << 29};
+        for (int i = 2; i < 32; ++i) third[i] = third[i - 1] ^ third[i - 2] ^ third[i - 2] >> 2;
+        for (int i = 3; i < 32; ++i) fourth[i] = fourth[i - 2] ^ fourth[i - 3] ^ fourth[i - 3] >> 3;
+        for (std::size_t byte = 0; byte < 4; ++byte)
+            for (std::uint32_t value = 0; value < 256; ++value)
+                for (std::size_t bit = 0; bit < 8; ++bit)
+                    if (value >> bit & 1) {
+                        of_[0][byte][value] ^= third[8 * byte + bit];
+                        of_[1][byte][value] ^= fourth[8 * byte + bit];
+                    }
+    }
+    std::uint32_t at(std::size_t dimension, std::uint32_t index) const {
+        const auto& of = of_[dimension];
+        return of[0][index & 255] ^ of[1][index >> 8 & 255] ^ of[2][index >> 16 & 255] ^ of[3][index >> 24];
+    }
+
+private:
+    std::uint32_t of_[2][4][256] = {};
+};
+constexpr ThirdAndFourth kSobol;
+
 /// The upper 24 bits: the rest would round to 1.
 Real fraction(std::uint32_t x) { return Real(x >> 8) * Real(0x1p-24); }
 
@@ -133,14 +159,18 @@ Vec2 multi_jittered_point(const Draw& draw) {
 }
 
 Vec2 sobol_point(const Draw& draw) {
-    //> 5.4 Shuffle the sample by scrambling its reversed bits; x is the shuffled index with its bits reversed, y is Sobol's
-    //>   second dimension of it; scramble both, each with a key of its own. Owen's scrambling turns a bit depending on all
-    //>   bits above it: on reversed numbers a hash does it in which every bit depends on those below.
-    const std::uint64_t key = key_of(draw);
-    const std::uint64_t keys = mixed(key, 1);
-    const std::uint32_t index = scrambled(draw.sample, static_cast<std::uint32_t>(key));
-    return {fraction(reversed(turned(index, static_cast<std::uint32_t>(keys)))),
-            fraction(reversed(turned(pascal(index), static_cast<std::uint32_t>(keys >> 32))))};
+    //> 5.4 Shuffle the sample by scrambling its bits, with one key for two neighbouring dimensions 2k and 2k + 1: that makes
+    //>   them four dimensions of one sequence. The even one gets Sobol's first two: the shuffled index with its bits
+    //>   reversed, and the second dimension of it; the odd one Sobol's third and fourth. Scramble each number with a key of
+    //>   its own. Owen's scrambling turns a bit depending on all bits above it: on reversed numbers a hash does it in which
+    //>   every bit depends on those below.
+    const std::uint64_t keys = mixed(key_of(draw), 1);
+    Draw both = draw;
+    both.dimension &= ~1u;
+    const std::uint32_t index = scrambled(draw.sample, static_cast<std::uint32_t>(key_of(both)));
+    const auto x = static_cast<std::uint32_t>(keys), y = static_cast<std::uint32_t>(keys >> 32);
+    if (draw.dimension % 2 == 0) return {fraction(reversed(turned(index, x))), fraction(reversed(turned(pascal(index), y)))};
+    return {fraction(scrambled(kSobol.at(0, index), x)), fraction(scrambled(kSobol.at(1, index), y))};
     //< 5.4
 }
 

@@ -64,14 +64,27 @@ Reals cone_of_light(const Light& light, Mask lanes, const Vec3s& point) {
     return select(before, spot_profile(light, before, along, from_axis), zero);
 }
 
-Illuminations illuminate(const Light& light, Mask lanes, const Vec3s& point) {
+/// Where light number `light` is for each of the points.
+Vec3s places_of(const Light& light, std::size_t number, const SampleRays* samples, const Surfaces& at) {
+    if (!samples || samples->light.empty()) return Vec3s(light.location);
+    const auto component = [&](std::size_t a) {
+        const auto& column = samples->light[3 * number + a];
+        const Number* const of = at.tree;
+        return Reals(_mm256_setr_pd(column[of[0]], column[of[1]], column[of[2]], column[of[3]]),
+                     _mm256_setr_pd(column[of[4]], column[of[5]], column[of[6]], column[of[7]]));
+    };
+    return {component(0), component(1), component(2)};
+}
+
+/// `place` is where the light is; only a point of an area light is not where the scene has it.
+Illuminations illuminate(const Light& light, const Vec3s& place, Mask lanes, const Vec3s& point) {
     Illuminations result;
     if (is_parallel(light)) {
         result.to_light = -axis_of(light);
         result.distance = dot(Vec3s(light.location) - point, result.to_light);
         result.are = lanes;
     } else {
-        const Vec3s to_light = Vec3s(light.location) - point;
+        const Vec3s to_light = place - point;
         result.distance = length(to_light);
         result.to_light = {to_light.x / result.distance, to_light.y / result.distance, to_light.z / result.distance};
         result.are = lanes & (result.distance > Reals(0));
@@ -220,13 +233,14 @@ Radiances Shadows::filtered(const Rays& rays, Mask open, Span span, const Inside
     return {Floats::load(lanes[0]), Floats::load(lanes[1]), Floats::load(lanes[2])};
 }
 
-Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& at, const Inside& inside) {
+Radiances direct_light(const Scene& scene, Shadows& shadows, const SampleRays* samples, const Surfaces& at,
+                       const Inside& inside) {
     const Finish& finish = *at.finish;
     Radiances sum = at.opacity * at.color * Radiances(finish.ambient * scene.settings.ambient_light + finish.emission);
     if (!(finish.diffuse > 0) && !(finish.phong > 0) && !(finish.specular > 0)) return sum;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& source = scene.lights[i];
-        Illuminations light = illuminate(source, at.are, at.point);
+        Illuminations light = illuminate(source, places_of(source, i, samples, at), at.are, at.point);
         const Reals n_dot_l = dot(at.normal, light.to_light);
         light.are = light.are & is_not_black(light.radiance) & (n_dot_l > Reals(0));
         if (!light.are.any()) continue;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "3_recursion/recursion.h"
+#include "packets/batch.h"
 #include "packets/hits.h"
 #include "packets/intersector.h"
 
@@ -18,6 +19,7 @@ struct Surfaces {
     Radiances clear;
     const Finish* finish;
     ObjectNumbers object;
+    Number tree[kLanes] = {};  ///< the sample or pixel that it is seen by
 };
 
 /// Points of the same material; `normal` is turned to the viewer.
@@ -43,7 +45,9 @@ private:
     std::vector<Suspects> suspects_;  ///< of each light
 };
 
-Radiances direct_light(const Scene& scene, Shadows& shadows, const Surfaces& surfaces, const Inside& inside);
+/// `samples`: null, or where the lights are for each sample.
+Radiances direct_light(const Scene& scene, Shadows& shadows, const SampleRays* samples, const Surfaces& surfaces,
+                       const Inside& inside);
 
 /// x^exponent for positive x; 1 for the lanes that are not asked. To less than 4 units in the last place.
 Reals power(Mask lanes, Reals x, double exponent);

@@ -77,6 +77,27 @@ void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const 
     for (int n = 0; n < first.batch.count; ++n) sum[first.batch.pixel[n]] += first.brought[static_cast<Number>(n)];
 }
 
+void Tracer::trace(const SampleRays& rays, const Inside& inside, Radiance (&brought)[SampleRays::kMost],
+                   double (&pruned)[SampleRays::kMost]) {
+    pruned_ = pruned;
+    samples_ = &rays;
+    Frame& first = frame(0);
+    Batch& batch = first.batch;
+    batch.count = rays.count;
+    batch.above = batch.level = 0;
+    batch.straight = false;
+    batch.inside = inside;
+    for (int a = 0; a < 3; ++a) {
+        std::copy(rays.origin[a], rays.origin[a] + rays.count, batch.origin.of[a]);
+        std::copy(rays.direction[a], rays.direction[a] + rays.count, batch.direction.of[a]);
+    }
+    std::fill(batch.weight, batch.weight + rays.count, 1.0f);
+    for (int n = 0; n < rays.count; ++n) batch.pixel[n] = static_cast<Number>(n);
+    trace(0);
+    for (int n = 0; n < rays.count; ++n) brought[n] = first.brought[static_cast<Number>(n)];
+    samples_ = nullptr;
+}
+
 void Tracer::add_camera_rays(const Raster& raster, Block block, Vec2 offset, Frame& frame) const {
     Batch& batch = frame.batch;
     std::fill(batch.weight, batch.weight + Block::kSize, 1.0f);
@@ -119,10 +140,43 @@ void Tracer::trace_single(Frame& f) {
         branch.straight = f.batch.straight;
         branch.weight = f.batch.weight[n];
         branch.inside = f.batch.inside;
+        if (samples_) see_as(f.batch.pixel[n]);
         world_.pruned = pruned_[f.batch.pixel[n]];  // goes on from there: sums depend on their order
         f.brought.set(n, rays::trace(world_, branch));
         pruned_[f.batch.pixel[n]] = world_.pruned;
     }
+}
+
+/// The world as a sample has it.
+void Tracer::see_as(Number sample) {
+    if (!samples_->light.empty()) {
+        lights_ = scene_.lights;
+        for (std::size_t l = 0; l < lights_.size(); ++l) {
+            for (int a = 0; a < 3; ++a) lights_[l].location[a] = samples_->light[3 * l + std::size_t(a)][sample];
+            lights_[l].area = false;
+        }
+        world_.lights = lights_;
+    }
+    single_roughness_.samples = samples_;
+    single_roughness_.ray = sample;
+    world_.roughness = samples_->roughness ? &single_roughness_ : nullptr;
+}
+
+/// As trace() of step 3 does it, lane by lane. True normals and those for shading are the same here: nobody
+/// gives other scenes to packets.
+void Tracer::tilt(const Frame& f, const Chunk& chunk, Surfaces& at) const {
+    const Spread3 point(at.point), normal(at.normal), viewer(at.to_viewer);
+    Spread tilted[3] = {Spread(at.normal.x), Spread(at.normal.y), Spread(at.normal.z)};
+    each_lane(chunk.lanes, [&](int i) {
+        Surface surface;
+        surface.point = point[i];
+        surface.normal = surface.geometric_normal = normal[i];
+        surface.to_viewer = viewer[i];
+        surface.finish = at.finish;
+        samples_->roughness->tilt(at.tree[i], surface, f.batch.above);
+        for (int a = 0; a < 3; ++a) tilted[a].lane[i] = surface.normal[a];
+    });
+    at.normal = {Reals::load(tilted[0].lane), Reals::load(tilted[1].lane), Reals::load(tilted[2].lane)};
 }
 
 /// Finds what the rays meet. The others bring the background. Returns the numbers of those that meet something.
@@ -152,7 +206,7 @@ Numbers Tracer::meet(Frame& f) const {
             f.material[n] = hits.material[i];
         });
     };
-    if (f.batch.level == 0)  // camera rays go the same way as they are
+    if (f.batch.level == 0 && !samples_)  // camera rays go the same way as they are
         each_chunk(all_of(f.batch.count), meet_chunk);
     else
         each_chunk_by_way(f.batch.direction, f.batch.count, meet_chunk);
@@ -168,7 +222,11 @@ void Tracer::light(Frame& f, const Numbers& hits) {
         Surfaces at = surfaces_at(scene_, Mask::of(chunk.lanes), f.point.load(chunk), f.normal.load(chunk),
                                         -f.batch.direction.load(chunk), material);
         for (int i = 0; i < kLanes; ++i) at.object[i] = f.object[chunk.of[i]];
-        f.brought.store(chunk, chunk.lanes, direct_light(scene_, shadows_, at, f.batch.inside));
+        if (samples_) {
+            for (int i = 0; i < kLanes; ++i) at.tree[i] = f.batch.pixel[chunk.of[i]];
+            if (samples_->roughness && material.finish.glossy > 0) tilt(f, chunk, at);
+        }
+        f.brought.store(chunk, chunk.lanes, direct_light(scene_, shadows_, samples_, at, f.batch.inside));
         if (goes_on) divide(f, chunk, at);
     });
 }

@@ -18,8 +18,18 @@ public:
 
     void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
                       Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) override;
+    void trace(const SampleRays& rays, const Inside& inside, Radiance (&brought)[SampleRays::kMost],
+               double (&pruned)[SampleRays::kMost]) override;
 
 private:
+    /// Tilts for rays that are traced one by one.
+    class SingleRoughness final : public rays::Roughness {
+    public:
+        void tilt(Surface& surface, int above) override { samples->roughness->tilt(ray, surface, above); }
+        const SampleRays* samples = nullptr;
+        int ray = 0;
+    };
+
     /// A batch, what it meets, and what it brings. Columns by the number of the ray.
     struct Frame {
         Batch batch;
@@ -43,6 +53,8 @@ private:
 
     void trace(std::size_t depth);
     void trace_single(Frame& frame);
+    void see_as(Number sample);
+    void tilt(const Frame& frame, const Chunk& chunk, Surfaces& at) const;
     Numbers meet(Frame& frame) const;
     void light(Frame& frame, const Numbers& hits);
     void divide(Frame& frame, const Chunk& chunk, const Surfaces& at);
@@ -61,6 +73,9 @@ private:
     Shadows shadows_;
     std::vector<std::unique_ptr<Frame>> frames_;
     double* pruned_ = nullptr;  ///< of the block in hand
+    const SampleRays* samples_ = nullptr;  ///< in hand; null: a block of pixels
+    SingleRoughness single_roughness_;
+    std::vector<Light> lights_;  ///< as the ray sees them that is traced by itself
 };
 
 }  // namespace rays::packets

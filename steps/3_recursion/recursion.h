@@ -85,7 +85,8 @@ struct Branch {
 class Roughness {
 public:
     virtual ~Roughness() = default;
-    virtual void tilt(Surface& surface) = 0;
+    /// `above`: how many surfaces this ray's tree met on the way here.
+    virtual void tilt(Surface& surface, int above) = 0;
 };
 
 /// What rays ask, and what they leave behind. One for each thread.

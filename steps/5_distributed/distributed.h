@@ -38,7 +38,10 @@ struct Draw {
 };
 
 /// One number for everything but the sample: the key of a pattern. Given.
-constexpr std::uint64_t key_of(const Draw& d) { return mixed(mixed(mixed(d.seed, d.pixel), 0x5e), d.dimension); }
+constexpr std::uint64_t key_of(const Draw& d) {
+    // Odd factors without pattern: no two small pixels and dimensions meet.
+    return mixed(d.seed * 0x9e3779b97f4a7c15ull + d.pixel * 0xd1342543de82ef95ull + d.dimension * 0xaf251af3b0f025b5ull + 1);
+}
 
 // All points lie in [0, 1)^2.
 
@@ -52,9 +55,10 @@ Vec2 random_point(const Draw& draw);
 Vec2 jittered_point(const Draw& draw);
 /// One in each cell, and in projection one in each of `samples` columns and rows (Chiu, Shirley, Wang, 1994; Kensler, 2013).
 Vec2 multi_jittered_point(const Draw& draw);
-/// Sobol's first two dimensions, scrambled after Owen (1995), in an order shuffled the same way (Burley, "Practical
-/// Hash-based Owen Scrambling", JCGT 9(4), 2020). Progressive: it does not know `samples`, and every power of two of
-/// first points is stratified in every way.
+/// Sobol's sequence, scrambled after Owen (1995), in an order shuffled the same way (Burley, "Practical Hash-based Owen
+/// Scrambling", JCGT 9(4), 2020). Dimensions 2k and 2k + 1 are the four dimensions of one sequence: what is blurred by two
+/// things at once converges faster. Progressive: it does not know `samples`, and every power of two of first points is
+/// stratified: in an even dimension in every way, in an odd one along each axis.
 Vec2 sobol_point(const Draw& draw);
 
 /// The pattern's point.
@@ -139,9 +143,15 @@ bool is_enough(float own, std::span<const float> around, float wanted);
 
 enum class Purpose { pixel, lens, time, light, ball_light, rough_surface };
 
+/// What a scene distributes over.
+struct Purposes {
+    bool lens = false, time = false;
+    std::uint32_t lights = 0;  ///< in all, of whatever kind
+};
 /// Which dimension of a pattern decides what: never the same one for two things. `number` counts lights (for light and
-/// ball_light, which goes with it), or the rough surfaces that a sample met; there are `lights` lights.
-std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, std::uint32_t lights);
+/// ball_light, which goes with it), or the surfaces above a rough one. Without gaps: the pixel's neighbour, with which it
+/// shares a sequence, is to be something that the scene has.
+std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, const Purposes& scene);
 
 // ---- Task 5.13: no more than a scene needs ---------------------------------------------------------------------------
 

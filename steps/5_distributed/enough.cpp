@@ -26,9 +26,9 @@ bool is_enough(float own, std::span<const float> around, float wanted) {
 
 // ---- Task 5.12: dimensions ------------------------------------------------------------------------------------------
 
-std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, std::uint32_t lights) {
-    // Task 5.12: Three for pixel, lens and time, two a light, and all above for rough surfaces, of which nobody knows how many
-    // there will be.
+std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, const Purposes& scene) {
+    // Task 5.12: The pixel is 0. Then the lens, if there is one, and each light's point; the time, if there is one; a second one for
+    // each light, which only balls need; and all above are for rough surfaces, of which nobody knows how many there will be.
     unfinished("5.12");
     return {};
 }

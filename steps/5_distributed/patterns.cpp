@@ -56,9 +56,11 @@ Vec2 multi_jittered_point(const Draw& draw) {
 }
 
 Vec2 sobol_point(const Draw& draw) {
-    // Task 5.4: Shuffle the sample by scrambling its reversed bits; x is the shuffled index with its bits reversed, y is Sobol's
-    // second dimension of it; scramble both, each with a key of its own. Owen's scrambling turns a bit depending on all
-    // bits above it: on reversed numbers a hash does it in which every bit depends on those below.
+    // Task 5.4: Shuffle the sample by scrambling its bits, with one key for two neighbouring dimensions 2k and 2k + 1: that makes
+    // them four dimensions of one sequence. The even one gets Sobol's first two: the shuffled index with its bits
+    // reversed, and the second dimension of it; the odd one Sobol's third and fourth. Scramble each number with a key of
+    // its own. Owen's scrambling turns a bit depending on all bits above it: on reversed numbers a hash does it in which
+    // every bit depends on those below.
     unfinished("5.4");
     return {};
 }

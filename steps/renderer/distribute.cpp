@@ -26,6 +26,20 @@ bool is_rough(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.finish.glossy > 0; });
 }
 
+bool has_smooth_faces(const Mesh& mesh) {
+    return std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const Mesh::Face& face) { return face.smooth; });
+}
+
+/// Not where things move, where something else than a point stands for an area light, nor where interpolated normals tilt.
+bool fits_packets(const Scene& scene, const RenderOptions& options) {
+    if (!options.packets || options.partition != Partition::automatic || varies_with_time(scene)) return false;
+    const bool only_points = std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+        return !light.area || (light.kind == Light::Kind::point && !light.parallel);
+    });
+    const bool smoothed = !scene.smooth_triangles.empty() || std::any_of(scene.meshes.begin(), scene.meshes.end(), has_smooth_faces);
+    return only_points && !(smoothed && is_rough(scene));
+}
+
 }  // namespace
 
 bool needs_distribution(const Scene& scene) {
@@ -34,7 +48,8 @@ bool needs_distribution(const Scene& scene) {
 
 Distribution::Distribution(const Scene& scene, const RenderOptions& options)
     : scene_(scene), options_(options), pattern_(options.pattern.value_or(Pattern::sobol)), moves_(varies_with_time(scene)) {
-    if (!moves_) still_ = make_intersector(scene, options.partition);
+    if (fits_packets(scene, options)) packets_ = make_packets(scene);
+    if (!moves_ && !packets_) still_ = make_intersector(scene, options.partition);
 }
 
 Draw Distribution::draw(int x, int y, std::uint32_t sample, std::uint32_t samples) const {
@@ -63,42 +78,81 @@ SampleTracer::SampleTracer(const Distribution& distribution) : distribution_(dis
     } else {
         media_ = std::make_unique<CameraMedia>(*world_);
     }
+    purposes_ = {scene->camera.aperture > 0, distribution.moves(), has_area_lights(*scene) ? static_cast<std::uint32_t>(scene->lights.size()) : 0};
     if (is_rough(*scene)) world_->roughness = this;
     has_area_lights_ = has_area_lights(*scene);
     lights_ = scene->lights;
     if (has_area_lights_) world_->lights = lights_;
+    if (const Packets* packets = distribution.packets()) {
+        if (const auto everywhere = media_->everywhere()) {
+            everywhere_ = *everywhere;
+            tracer_ = packets->tracer(*world_);
+            if (has_area_lights_) rays_.light.resize(3 * lights_.size());
+            if (is_rough(*scene)) rays_.roughness = this;
+        }
+    }
 }
 
-Vec2 SampleTracer::point(Purpose purpose, std::uint32_t number) const {
-    Draw draw = draw_;
-    draw.dimension = dimension_of(purpose, number, static_cast<std::uint32_t>(lights_.size()));
+Vec2 SampleTracer::point(const Draw& sample, Purpose purpose, std::uint32_t number) const {
+    Draw draw = sample;
+    draw.dimension = dimension_of(purpose, number, purposes_);
     return point_of(distribution_.pattern(), draw);
 }
 
-void SampleTracer::tilt(Surface& surface) {
-    if (!(surface.finish->glossy > 0)) return;
-    surface.normal = tilted_normal(surface, point(Purpose::rough_surface, rough_surfaces_++));
+// The number of a rough surface is how many surfaces lie above it: branches of one tree that part share their numbers,
+// which no mean notices, and no order of tracing them matters.
+void SampleTracer::tilt(Surface& surface, int above) {
+    if (surface.finish->glossy > 0)
+        surface.normal = tilted_normal(surface, point(draw_, Purpose::rough_surface, static_cast<std::uint32_t>(above)));
 }
 
-Radiance SampleTracer::sample(int x, int y, const Draw& draw) {
+void SampleTracer::tilt(int ray, Surface& surface, int above) {
+    draw_ = draws_[ray];
+    tilt(surface, above);
+}
+
+Chosen SampleTracer::choose(int x, int y, const Draw& draw) {
     const Scene& scene = world_->scene;
-    draw_ = draw;
-    rough_surfaces_ = 0;
-    if (motion_) motion_->set_time(shutter_time(scene.camera, point(Purpose::time).x));
+    if (motion_) motion_->set_time(shutter_time(scene.camera, point(draw, Purpose::time).x));
     if (has_area_lights_) {
         for (std::uint32_t i = 0; i < lights_.size(); ++i) {
             const Light& light = scene.lights[i];
-            const Real third = light.area && light.orient ? point(Purpose::ball_light, i).x : 0;
-            lights_[i] = light.area ? light_at(light, point(Purpose::light, i), third) : light;
+            const Real third = light.area && light.orient ? point(draw, Purpose::ball_light, i).x : 0;
+            lights_[i] = light.area ? light_at(light, point(draw, Purpose::light, i), third) : light;
         }
     }
-    const FilterPoint at = filter_point(distribution_.options().filter, point(Purpose::pixel));
-    const Vec2 lens = scene.camera.aperture > 0 ? point(Purpose::lens) : Vec2(0);
-    const Ray ray = lens_ray(scene.camera, distribution_.options().raster, x, y, at.offset, lens);
-    const Inside inside = media_ ? media_->at(ray.origin)
-                                 : world_->sees_through ? media_around(scene, ray.origin) : Inside();
-    return at.weight * radiance(*world_, ray, inside);
+    const FilterPoint at = filter_point(distribution_.options().filter, point(draw, Purpose::pixel));
+    const Vec2 lens = scene.camera.aperture > 0 ? point(draw, Purpose::lens) : Vec2(0);
+    return {lens_ray(scene.camera, distribution_.options().raster, x, y, at.offset, lens), at.weight};
 }
+
+Radiance SampleTracer::sample(int x, int y, const Draw& draw) {
+    draw_ = draw;
+    const Chosen chosen = choose(x, y, draw);
+    if (has_area_lights_) world_->lights = lights_;
+    const Inside inside = media_ ? media_->at(chosen.ray.origin)
+                          : world_->sees_through ? media_around(world_->scene, chosen.ray.origin)
+                                                 : Inside();
+    return chosen.weight * radiance(*world_, chosen.ray, inside);
+}
+
+void SampleTracer::put(int x, int y, const Draw& draw, std::uint32_t number) {
+    const Chosen chosen = choose(x, y, draw);
+    const auto i = static_cast<std::size_t>(rays_.count++);
+    const Vec3 direction = glm::normalize(chosen.ray.direction);
+    for (int a = 0; a < 3; ++a) {
+        rays_.origin[a][i] = chosen.ray.origin[a];
+        rays_.direction[a][i] = direction[a];
+    }
+    for (std::size_t column = 0; column < rays_.light.size(); ++column)
+        rays_.light[column][i] = lights_[column / 3].location[static_cast<int>(column % 3)];
+    draws_[i] = draw;
+    numbers_[i] = number;
+    weights_[i] = chosen.weight;
+    pruned_[i] = 0;
+}
+
+void SampleTracer::trace_together() { tracer_->trace(rays_, everywhere_, brought_, pruned_); }
 
 namespace {
 
@@ -118,16 +172,20 @@ public:
 
     /// One more round for row y: active pixels get samples up to `after` in all.
     void sample_row(SampleTracer& tracer, int y, std::uint32_t before, std::uint32_t after) {
+        const auto add = [&](std::uint32_t number, const Radiance& brought, double pruned) {
+            const auto x = static_cast<int>(number / Estimate::kGroups);
+            pixels_[index(x, y)].sum[number % Estimate::kGroups] += brought;
+            pruned_[index(x, y)] += pruned;
+        };
         for (int x = 0; x < raster_.width; ++x) {
             if (!active_[index(x, y)]) continue;
-            Estimate& estimate = pixels_[index(x, y)];
-            tracer.pruned() = 0;
             for (std::uint32_t s = before; s < after; ++s)
-                estimate.sum[group_of(s, before, after)] += tracer.sample(x, y, distribution_.draw(x, y, s, after));
-            estimate.samples = after;
-            pruned_[index(x, y)] += tracer.pruned();
+                tracer.add(x, y, distribution_.draw(x, y, s, after),
+                           static_cast<std::uint32_t>(x) * Estimate::kGroups + group_of(s, before, after), add);
+            pixels_[index(x, y)].samples = after;
             if (take_unfinished_task()) unfinished_[index(x, y)] = 1;
         }
+        tracer.flush(add);
     }
     /// Who has to go on? Returns how many.
     std::size_t choose(float wanted) {
@@ -203,14 +261,24 @@ private:
 void sample_evenly(const Distribution& distribution, Crew& crew, Film& film, Residuals& residuals) {
     const RenderOptions& options = distribution.options();
     const auto samples = static_cast<std::uint32_t>(options.samples);
+    const float weight = 1.0f / static_cast<float>(samples);
     crew.each_row([&](SampleTracer& tracer, int y, bool reports) {
+        std::vector<double> pruned(static_cast<std::size_t>(options.raster.width), 0);
+        const auto add = [&](std::uint32_t x, const Radiance& brought, double left_out) {
+            film.at(static_cast<int>(x), y) += brought;
+            pruned[x] += left_out;
+        };
+        std::vector<char> unfinished(pruned.size(), 0);
         for (int x = 0; x < options.raster.width; ++x) {
-            tracer.pruned() = 0;
-            Radiance sum;
-            for (std::uint32_t s = 0; s < samples; ++s) sum += tracer.sample(x, y, distribution.draw(x, y, s, samples));
-            const Radiance mean = (1.0f / static_cast<float>(samples)) * sum;
-            film.at(x, y) = take_unfinished_task() ? striped(mean, x, y) : mean;
-            residuals.add(x, y, tracer.pruned() / samples);
+            for (std::uint32_t s = 0; s < samples; ++s)
+                tracer.add(x, y, distribution.draw(x, y, s, samples), static_cast<std::uint32_t>(x), add);
+            if (take_unfinished_task()) unfinished[static_cast<std::size_t>(x)] = 1;
+        }
+        tracer.flush(add);
+        for (int x = 0; x < options.raster.width; ++x) {
+            const Radiance mean = weight * film.at(x, y);
+            film.at(x, y) = unfinished[static_cast<std::size_t>(x)] ? striped(mean, x, y) : mean;
+            residuals.add(x, y, pruned[static_cast<std::size_t>(x)] / samples);
         }
         if (reports && options.progress) options.progress(double(y + 1) / options.raster.height);
     });

@@ -8,6 +8,7 @@
 #include "5_distributed/distributed.h"
 #include "renderer/camera_media.h"
 #include "renderer/motion.h"
+#include "renderer/packets.h"
 #include "renderer/render.h"
 
 namespace rays {
@@ -26,7 +27,9 @@ public:
     Pattern pattern() const { return pattern_; }
     bool moves() const { return moves_; }
     /// For scenes that stand still; those that move have an intersector a thread.
-    const Intersector* intersector() const { return still_.get(); }
+    const Intersector* intersector() const { return packets_ ? &packets_->intersector() : still_.get(); }
+    /// Null where samples are traced one by one.
+    const Packets* packets() const { return packets_.get(); }
     /// A sample of this number and of so many in all.
     Draw draw(int x, int y, std::uint32_t sample, std::uint32_t samples) const;
 
@@ -35,11 +38,18 @@ private:
     const RenderOptions& options_;
     Pattern pattern_;
     bool moves_;
+    std::unique_ptr<Packets> packets_;
     std::unique_ptr<Intersector> still_;
 };
 
-/// One thread's: a scene at the time of the sample in hand, its lights at their chosen points.
-class SampleTracer final : private Roughness {
+/// A sample's choices but for rough surfaces, which choose when they are met.
+struct Chosen {
+    Ray ray;
+    float weight = 1;  ///< of the pixel's filter
+};
+
+/// One thread's: the scene at the time of the sample in hand, its lights at their chosen points.
+class SampleTracer final : private Roughness, private SampleRays::Roughness {
 public:
     explicit SampleTracer(const Distribution& distribution);
 
@@ -48,9 +58,33 @@ public:
     /// As World::pruned: summed up since it was last set to 0.
     double& pruned() { return world_->pruned; }
 
+    /// The same for many samples of a row, which may be traced together: what(i, radiance, pruned) is called for the i-th that
+    /// was added, in this order, some time before flush() returns.
+    template <class What>
+    void add(int x, int y, const Draw& draw, std::uint32_t number, What what) {
+        if (!tracer_) {
+            world_->pruned = 0;
+            const Radiance brought = sample(x, y, draw);
+            return what(number, brought, world_->pruned);
+        }
+        put(x, y, draw, number);
+        if (rays_.count == SampleRays::kMost) flush(what);
+    }
+    template <class What>
+    void flush(What what) {
+        if (!tracer_ || rays_.count == 0) return;
+        trace_together();
+        for (int i = 0; i < rays_.count; ++i) what(numbers_[i], weights_[i] * brought_[i], pruned_[i]);
+        rays_.count = 0;
+    }
+
 private:
-    void tilt(Surface& surface) override;
-    Vec2 point(Purpose purpose, std::uint32_t number = 0) const;
+    Chosen choose(int x, int y, const Draw& draw);
+    void put(int x, int y, const Draw& draw, std::uint32_t number);
+    void trace_together();
+    void tilt(Surface& surface, int above) override;
+    void tilt(int ray, Surface& surface, int above) override;
+    Vec2 point(const Draw& draw, Purpose purpose, std::uint32_t number = 0) const;
 
     const Distribution& distribution_;
     std::unique_ptr<Scene> moving_scene_;  ///< null: the scene stands still
@@ -60,8 +94,17 @@ private:
     std::unique_ptr<CameraMedia> media_;
     std::vector<Light> lights_;
     bool has_area_lights_ = false;
-    Draw draw_;
-    std::uint32_t rough_surfaces_ = 0;  ///< met by this sample so far
+    Purposes purposes_;
+    Draw draw_;  ///< of the sample that is traced by itself
+
+    std::unique_ptr<PacketTracer> tracer_;  ///< null: one by one
+    Inside everywhere_;
+    SampleRays rays_;
+    Draw draws_[SampleRays::kMost];
+    std::uint32_t numbers_[SampleRays::kMost];
+    float weights_[SampleRays::kMost];
+    Radiance brought_[SampleRays::kMost];
+    double pruned_[SampleRays::kMost];
 };
 
 /// As render(), by samples.

@@ -1,7 +1,9 @@
 // The seam for tracing neighbouring rays together. A program without such a thing (every student's) asks ray by ray.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <vector>
 
 #include "3_recursion/recursion.h"
 
@@ -16,6 +18,22 @@ struct Block {
     int row(int i) const { return y + i / 16 * 2 + i % 8 / 4; }
 };
 
+/// Rays of samples, each with its own tree: where it starts, where the lights are for it, how its rough surfaces tilt.
+struct SampleRays {
+    static constexpr int kMost = Block::kSize;
+
+    int count = 0;
+    double origin[3][kMost], direction[3][kMost];  ///< directions of unit length
+    /// Component a of the place of light l for ray i: light[3 * l + a][i]. Empty: where the scene has them.
+    std::vector<std::array<double, kMost>> light;
+    /// Null: all surfaces are smooth.
+    class Roughness {
+    public:
+        virtual ~Roughness() = default;
+        virtual void tilt(int ray, Surface& surface, int above) = 0;
+    }* roughness = nullptr;
+};
+
 /// One thread's.
 class PacketTracer {
 public:
@@ -25,6 +43,9 @@ public:
     /// same media.
     virtual void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
                               Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) = 0;
+    /// Sets `brought` to what each ray brings and adds to `pruned`. All rays start in the same media.
+    virtual void trace(const SampleRays& rays, const Inside& inside, Radiance (&brought)[SampleRays::kMost],
+                       double (&pruned)[SampleRays::kMost]) = 0;
 };
 
 /// What all threads share.
