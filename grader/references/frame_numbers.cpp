@@ -75,8 +75,8 @@ FrameNumbers frame_numbers(int frame, int frames) {
     FrameNumbers result{};
     for (std::size_t group = 0; group < kGroups.size(); ++group) {
         const std::uint64_t seed = mixed(mixed(kSeed + replicate) + group);
-        // Scrambled from its last digit on, an index stays within its block of the sequence's points.
-        const std::uint32_t index = reversed(scrambled(reversed(static_cast<std::uint32_t>(frame % each)), seed));
+        // Scrambled itself, an index stays in a block of 2^k numbers with all others of its block of 2^k, for every k.
+        const std::uint32_t index = scrambled(static_cast<std::uint32_t>(frame % each), seed);
         for (std::size_t d = 0; d < kGroups[group].size(); ++d) {
             const std::uint64_t number = scrambled(sobol(index, d), mixed(seed + 1 + d));
             result[kGroups[group][d]] = static_cast<int>((number * 1000000) >> kBits);
