@@ -40,8 +40,8 @@ AveragedReference load_averaged_reference(const std::filesystem::path& file) {
         for (std::size_t c = 0; c < 3; ++c) {
             const float mean = result.mean.pixels[i][c], error = result.error.pixels[i][c];
             if (std::isfinite(mean) && std::isfinite(error) && error >= 0) continue;
-            throw InputError(fmt::format("{}: number {} of pixel {} is {} with a standard error of {}", file.string(), c,
-                                         i, mean, error));
+            throw InputError(fmt::format("{}: number {} of pixel {} is {} with a standard error of {}", file.string(),
+                                         c, i, mean, error));
         }
     }
     return result;
@@ -82,8 +82,7 @@ AveragedReference FrameSums::result() const {
         const double mean = sum / kReplicates;
         for (const std::vector<double>& replicate : means) squares += (replicate[i] - mean) * (replicate[i] - mean);
         result.mean.pixels[i / 3][i % 3] = static_cast<float>(mean);
-        result.error.pixels[i / 3][i % 3] =
-            static_cast<float>(std::sqrt(squares / (kReplicates * (kReplicates - 1))));
+        result.error.pixels[i / 3][i % 3] = static_cast<float>(std::sqrt(squares / (kReplicates * (kReplicates - 1))));
     }
     return result;
 }

@@ -23,8 +23,8 @@ double rms_error(const AveragedReference& reference);
 /// One OpenEXR file of 32-bit floats with the channels R G B error.R error.G error.B.
 void save_averaged_reference(const AveragedReference& reference, const std::filesystem::path& file);
 
-/// Throws InputError when the file is missing, is no averaged reference, is larger than 4096 pixels in one direction, or
-/// holds what is no mean: a number that is not finite, or an error below 0.
+/// Throws InputError when the file is missing, is no averaged reference, is larger than 4096 pixels in one direction,
+/// or holds what is no mean: a number that is not finite, or an error below 0.
 AveragedReference load_averaged_reference(const std::filesystem::path& file);
 
 /// The sums of frames: sums of half floats are exact in double, so the order of the frames does not matter.
@@ -47,9 +47,9 @@ private:
     std::array<int, kReplicates> counts_{};
 };
 
-/// No number of an unchanged replicate is further from the mean of all: with n = 8 numbers of standard deviation s, none
-/// is further from their mean than s (n - 1) / sqrt(n) (Samuelson, "How deviant can you be?", 1968), and the standard
-/// error is s / sqrt(n). So there are no false alarms.
+/// No number of an unchanged replicate is further from the mean of all: with n = 8 numbers of standard deviation s,
+/// none is further from their mean than s (n - 1) / sqrt(n) (Samuelson, "How deviant can you be?", 1968), and the
+/// standard error is s / sqrt(n). So there are no false alarms.
 inline constexpr double kFurthestReplicate = kReplicates - 1;
 
 /// What shows that the replicate is not one of the reference's, in words, or an empty text.

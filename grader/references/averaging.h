@@ -12,8 +12,8 @@ namespace rays {
 struct Averaging {
     const Povray* povray = nullptr;
     Raster raster{160, 120};
-    int frames = 512;  ///< of the whole mean: a multiple of kReplicates
-    int jobs = 8;      ///< processes at once
+    int frames = 512;      ///< of the whole mean: a multiple of kReplicates
+    int jobs = 8;          ///< processes at once
     double seconds = 120;  ///< a frame's time limit
 };
 

@@ -147,10 +147,9 @@ int make(const Order& order) {
         const ManifestEntry entry = averaged
                                         ? make_averaged_reference_of(order.folders, scene, how)
                                         : make_reference_of(order.folders, scene, how.raster, povray, order.seconds);
-        account.good(fmt::format("made    {}  {} x {}  {:.1f} s{}", scene, entry.raster.width, entry.raster.height,
-                                 seconds_since(start),
-                                 averaged ? fmt::format("  {}, standard error {:.2g}", entry.method, entry.standard_error)
-                                          : std::string()));
+        account.good(fmt::format(
+            "made    {}  {} x {}  {:.1f} s{}", scene, entry.raster.width, entry.raster.height, seconds_since(start),
+            averaged ? fmt::format("  {}, standard error {:.2g}", entry.method, entry.standard_error) : std::string()));
         const std::lock_guard lock(manifest_mutex);
         manifest.put(entry);
         ++made;
@@ -242,8 +241,9 @@ int references_command(int argc, const char* const* argv) {
     CLI::App app("Pictures by POV-Ray, to hold our own against", "references");
     app.add_option("name", order.names, "scenes, or folders of scenes; default: all");
     CLI::Option* check_option =
-        app.add_option("--check", check_words, "render N scenes (default: all) anew and compare: a frame bit by bit, of a mean an eighth "
-                                             "of its frames")
+        app.add_option("--check", check_words,
+                       "render N scenes (default: all) anew and compare: a frame bit by bit, of a mean an eighth "
+                       "of its frames")
             ->expected(0, 1)
             ->type_name("[N]");
     app.add_flag("--hashes", order.hashes, "only verify fingerprints; nothing is rendered");

@@ -81,9 +81,8 @@ void save_layers(const std::filesystem::path& file, const LayersWritten& layers,
         for (std::size_t c = 0; c < 3; ++c) {
             const std::string channel = layer + kChannels[c];
             header.channels().insert(channel, Imf::Channel(type));
-            buffer.insert(channel, digits == Digits::half
-                                       ? slice(type, &halves[l][c], 3 * sizeof(Imath::half), raster)
-                                       : slice(type, &image->pixels[0][c], sizeof(Rgb), raster));
+            buffer.insert(channel, digits == Digits::half ? slice(type, &halves[l][c], 3 * sizeof(Imath::half), raster)
+                                                          : slice(type, &image->pixels[0][c], sizeof(Rgb), raster));
         }
     }
     write_atomically(file, [&](const std::filesystem::path& partial) {

@@ -11,7 +11,8 @@ constexpr std::uint64_t kSeed = 1984;  // any; another one makes other, equally 
 constexpr int kBits = 32;
 
 /// The order in which the groups take Sobol's four dimensions.
-constexpr std::array<std::array<std::size_t, 4>, 4> kGroups{{{0, 1, 2, 3}, {5, 6, 7, 4}, {8, 9, 10, 15}, {11, 12, 13, 14}}};
+constexpr std::array<std::array<std::size_t, 4>, 4> kGroups{
+    {{0, 1, 2, 3}, {5, 6, 7, 4}, {8, 9, 10, 15}, {11, 12, 13, 14}}};
 
 /// The finalizer of SplitMix64 (Steele, Lea, Flood, 2014): a hash.
 std::uint64_t mixed(std::uint64_t x) {

@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "support/files.h"
 #include "references/scene_files.h"
+#include "support/files.h"
 #include "support/sha256.h"
 
 namespace rays {

@@ -133,7 +133,8 @@ TEST(AveragedReference, RefusesWhatIsNone) {
     EXPECT_THROW(load_averaged_reference(file), InputError) << "a frame has no errors";
 
     const AveragedReference good{grey({5, 3}, 1), grey({5, 3}, 0)};
-    for (const auto& [mean, error] : {std::pair{1.0f, -0.1f}, {std::numeric_limits<float>::quiet_NaN(), 0.0f},
+    for (const auto& [mean, error] : {std::pair{1.0f, -0.1f},
+                                      {std::numeric_limits<float>::quiet_NaN(), 0.0f},
                                       {1.0f, std::numeric_limits<float>::infinity()}}) {
         AveragedReference bad = good;
         bad.mean.at(2, 1)[0] = mean;

@@ -114,7 +114,8 @@ std::array<double, 6> moments(const std::string& vector) {
 #declare Sum = <0, 0, 0>; #declare Squares = <0, 0, 0>; #declare N = 20;
 #for (I, 0, N - 1) #for (J, 0, N - 1) #for (K, 0, N - 1)
     #declare S = (I + 0.5)/N; #declare T = (J + 0.5)/N; #declare W = (K + 0.5)/N;
-    #declare P = )" + vector + R"(;
+    #declare P = )" + vector +
+                            R"(;
     #declare Sum = Sum + P/(N*N*N); #declare Squares = Squares + P*P/(N*N*N);
 #end #end #end
 #fopen Out "answers" write
@@ -149,8 +150,8 @@ TEST(FrameInc, PointsAreUniform) {
 TEST(FrameInc, ALensBlursAPointToItsDisc) {
     const TemporaryFolder folder;
     write_atomically(folder.path() / "frame.inc", frame_inc());
-    // At 2 and a half times the distance of focus the lens of radius A/4 = 0.3 is seen as a disc of radius 0.45 around a
-    // ball of radius 0.2, by 0.5 beside the axis; a pixel is 0.1 wide there.
+    // At 2 and a half times the distance of focus the lens of radius A/4 = 0.3 is seen as a disc of radius 0.45 around
+    // a ball of radius 0.2, by 0.5 beside the axis; a pixel is 0.1 wide there.
     write_atomically(folder.path() / "scene.pov", R"(
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
@@ -160,8 +161,8 @@ camera { Frame_lens(1.2, Eye + 2*z) }
 sphere { <1.5, 2, 1>, 0.2 pigment { rgb 1 } finish { emission 1 ambient 0 diffuse 0 } }
 )");
     const Povray povray;
-    const AveragedReference reference =
-        average_of_frames({.povray = &povray, .raster = {40, 40}, .frames = 256, .jobs = 24}, folder.path() / "scene.pov");
+    const AveragedReference reference = average_of_frames(
+        {.povray = &povray, .raster = {40, 40}, .frames = 256, .jobs = 24}, folder.path() / "scene.pov");
     double light = 0, x = 0, y = 0, xx = 0, yy = 0;
     for (int row = 0; row < 40; ++row) {
         for (int column = 0; column < 40; ++column) {
