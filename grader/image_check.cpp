@@ -131,6 +131,8 @@ Target target_of(const Bench& bench, const SceneTask& scene) {
     if (sha256(target.files.front().bytes) != entry->sha256)
         throw InputError(fmt::format("{} has changed since its reference was made: run ./rays references {}",
                                      scene.scene, stem(scene.scene)));
+    if (entry->averaged())
+        throw InputError(fmt::format("{} is referenced by a mean, which an exact comparison cannot use", scene.scene));
     target.reference = bench.project.references() / entry->reference;
     target.truth = load_reference(target.reference);
     return target;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <mutex>
 #include <numeric>
 #include <random>
@@ -27,10 +28,16 @@ struct Order {
     bool hashes = false;
     bool force = false;
     Raster raster{160, 120};
+    int frames = 0;  ///< of a mean; 0: as many as it has, or kFrames
     int jobs = static_cast<int>(std::thread::hardware_concurrency()) + 1;  // each process waits some wall time
     double seconds = 120;
     unsigned seed = 1;
 };
+
+constexpr int kFrames = 512;
+
+/// POV-Ray sleeps for most of a small frame's half second, so several of them share a processor.
+constexpr int kFramesPerJob = 4;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -91,7 +98,30 @@ void drop_orphans(Manifest& manifest, const Order& order) {
 
 bool up_to_date(const Order& order, const Manifest& manifest, const std::string& scene, const Povray& povray) {
     const ManifestEntry* entry = manifest.find(scene);
-    return entry != nullptr && stale_fingerprints(order.folders, *entry, povray.include_folder()).empty();
+    if (entry == nullptr || (entry->averaged() && order.frames > 0 && entry->frames != order.frames)) return false;
+    return stale_fingerprints(order.folders, *entry, povray.include_folder()).empty();
+}
+
+Averaging averaging_of(const Order& order, const Povray& povray, const ManifestEntry* known) {
+    Averaging how{&povray, order.raster, order.frames, kFramesPerJob * order.jobs, order.seconds};
+    if (known != nullptr) how.raster = known->raster;
+    if (how.frames == 0) how.frames = known != nullptr && known->averaged() ? known->frames : kFrames;
+    return how;
+}
+
+/// Scenes of one frame are rendered several at once; of the others one after another, but several frames at once.
+/// Calls work(scene, averaged) for all; a problem is its scene's failure.
+template <class Work>
+void for_each_scene(const std::vector<std::string>& scenes, const Order& order, const Povray& povray, Account& account,
+                    const Work& work) {
+    std::vector<std::string> single, averaged;
+    for (const std::string& scene : scenes) {
+        account.attempt(scene,
+                        [&] { (is_averaged(order.folders, scene, povray) ? averaged : single).push_back(scene); });
+    }
+    in_parallel(single.size(), order.jobs,
+                [&](std::size_t i) { account.attempt(single[i], [&] { work(single[i], false); }); });
+    for (const std::string& scene : averaged) account.attempt(scene, [&] { work(scene, true); });
 }
 
 int make(const Order& order) {
@@ -106,22 +136,24 @@ int make(const Order& order) {
     Account account;
     std::mutex manifest_mutex;
     int made = 0;
-    in_parallel(scenes.size(), order.jobs, [&](std::size_t i) {
-        account.attempt(scenes[i], [&] {
-            Raster raster = order.raster;
-            {
-                const std::lock_guard lock(manifest_mutex);
-                if (!order.force && same_povray && up_to_date(order, manifest, scenes[i], povray)) return;
-                if (const ManifestEntry* known = manifest.find(scenes[i])) raster = known->raster;
-            }
-            const auto start = std::chrono::steady_clock::now();
-            const ManifestEntry entry = make_reference_of(order.folders, scenes[i], raster, povray, order.seconds);
-            account.good(fmt::format("made    {}  {} x {}  {:.1f} s", scenes[i], raster.width, raster.height,
-                                     seconds_since(start)));
+    for_each_scene(scenes, order, povray, account, [&](const std::string& scene, bool averaged) {
+        Averaging how{&povray, order.raster};
+        {
             const std::lock_guard lock(manifest_mutex);
-            manifest.put(entry);
-            ++made;
-        });
+            if (!order.force && same_povray && up_to_date(order, manifest, scene, povray)) return;
+            how = averaging_of(order, povray, manifest.find(scene));
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const ManifestEntry entry = averaged
+                                        ? make_averaged_reference_of(order.folders, scene, how)
+                                        : make_reference_of(order.folders, scene, how.raster, povray, order.seconds);
+        account.good(fmt::format(
+            "made    {}  {} x {}  {:.1f} s{}", scene, entry.raster.width, entry.raster.height, seconds_since(start),
+            averaged ? fmt::format("  {}, standard error {:.2g}", entry.method, entry.standard_error) : std::string()));
+        const std::lock_guard lock(manifest_mutex);
+        manifest.put(entry);
+        ++made;
+        if (averaged) save_manifest(manifest, order.folders.manifest());  // a minute's work: not to be lost
     });
     save_manifest(manifest, order.folders.manifest());
     fmt::print("{} made, {} up to date, {} failed (POV-Ray {})\n", made,
@@ -170,13 +202,18 @@ int check(const Order& order) {
     std::vector<std::string> known = scenes;
     std::erase_if(known, [&](const std::string& scene) { return manifest.find(scene) == nullptr; });  // told already
     const std::vector<std::string> sample = sample_of(known, order);
-    in_parallel(sample.size(), order.jobs, [&](std::size_t i) {
-        const ManifestEntry* entry = manifest.find(sample[i]);
-        account.attempt(sample[i], [&] {
-            const std::string difference = difference_today(order.folders, *entry, povray, order.seconds);
-            if (!difference.empty()) return account.bad(sample[i], difference);
-            account.good(fmt::format("same    {}", sample[i]));
-        });
+    for_each_scene(sample, order, povray, account, [&](const std::string& scene, bool averaged) {
+        const ManifestEntry* entry = manifest.find(scene);
+        if (averaged != entry->averaged())
+            return account.bad(scene, fmt::format("the reference is {}, but the scene {} Frame", entry->method,
+                                                  averaged ? "uses" : "does not use"));
+        const int replicate = static_cast<int>(order.seed % kReplicates);
+        const std::string difference =
+            averaged ? averaged_difference_today(order.folders, *entry, averaging_of(order, povray, entry), replicate)
+                     : difference_today(order.folders, *entry, povray, order.seconds);
+        if (!difference.empty()) return account.bad(scene, difference);
+        account.good(fmt::format("same    {}{}", scene,
+                                 averaged ? fmt::format("  (replicate {} of {})", replicate, kReplicates) : ""));
     });
     fmt::print("{} of {} references rendered anew, {} problems\n", sample.size(), scenes.size(), account.failures());
     return account.status();
@@ -204,16 +241,26 @@ int references_command(int argc, const char* const* argv) {
     CLI::App app("Pictures by POV-Ray, to hold our own against", "references");
     app.add_option("name", order.names, "scenes, or folders of scenes; default: all");
     CLI::Option* check_option =
-        app.add_option("--check", check_words, "render N scenes (default: all) anew and compare bit by bit")
+        app.add_option("--check", check_words,
+                       "render N scenes (default: all) anew and compare: a frame bit by bit, of a mean an eighth "
+                       "of its frames")
             ->expected(0, 1)
             ->type_name("[N]");
     app.add_flag("--hashes", order.hashes, "only verify fingerprints; nothing is rendered");
     app.add_flag("--force", order.force, "make also what is up to date");
     app.add_option("--width", order.raster.width, "pixels of new references")->check(CLI::Range(1, 1024));
     app.add_option("--height", order.raster.height, "pixels of new references")->check(CLI::Range(1, 1024));
-    app.add_option("--jobs", order.jobs, "processes at once")->check(CLI::Range(1, 256));
+    app.add_option("--frames", order.frames, "frames of a mean: a multiple of 8; default: as many as it has, or 512")
+        ->check([](const std::string& text) {
+            const int frames = std::atoi(text.c_str());
+            return frames >= kReplicates && frames <= 1 << 16 && frames % kReplicates == 0
+                       ? std::string()
+                       : fmt::format("must be a multiple of {}, up to 65536", kReplicates);
+        });
+    app.add_option("--jobs", order.jobs, fmt::format("scenes at once, and {} frames of a mean for each", kFramesPerJob))
+        ->check(CLI::Range(1, 256));
     app.add_option("--time-limit", order.seconds, "seconds a frame")->check(CLI::PositiveNumber);
-    app.add_option("--seed", order.seed, "which sample --check N takes");
+    app.add_option("--seed", order.seed, "which sample --check N takes, and which replicate of a mean");
     app.add_option("--scenes", order.folders.scenes, "the folder of scenes");
     try {
         app.parse(argc, argv);

@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "support/files.h"
 #include "references/scene_files.h"
+#include "support/files.h"
 #include "support/sha256.h"
 
 namespace rays {
@@ -19,26 +19,39 @@ std::string reference_name(const std::string& scene) {
     return fs::path(scene).replace_extension(".exr").generic_string();
 }
 
-std::string command_of(const std::string& scene, Raster raster) {
-    const std::string file = fs::path(scene).filename().string();
-    return fmt::format("povray {}", fmt::join(Povray::frame_options(file, raster, reference_name(file)), " "));
+std::vector<fs::path> include_folders(const fs::path& povray_includes) {
+    if (povray_includes.empty()) return {};
+    return {povray_includes};
+}
+
+std::string command_of(const ManifestEntry& entry) {
+    const std::string file = fs::path(entry.scene).filename().string();
+    const std::vector<std::string> declared =
+        entry.averaged() ? frame_declarations(0, entry.frames) : std::vector<std::string>{};
+    const std::string command = fmt::format(
+        "povray {}", fmt::join(Povray::frame_options(file, entry.raster, reference_name(file), declared), " "));
+    if (!entry.averaged()) return command;
+    return fmt::format("{}  # frame 0 of {}; Frame and Frame_u0 to Frame_u15 vary", command, entry.frames);
 }
 
 std::map<std::string, std::string> fingerprints_of_includes(const fs::path& scene, const fs::path& povray_includes) {
     std::map<std::string, std::string> result;
-    std::vector<fs::path> folders;
-    if (!povray_includes.empty()) folders.push_back(povray_includes);
-    for (const auto& [name, file] : included_files(scene, folders)) result[name] = sha256_of_file(file);
+    for (const auto& [name, file] : included_files(scene, include_folders(povray_includes)))
+        result[name] = sha256_of_file(file);
     return result;
 }
 
-/// A reference must be beyond doubt. A sheared camera is meant, though, wherever there is one.
-void refuse_warnings(const fs::path& scene, std::vector<std::string> warnings) {
-    std::erase_if(warnings, [](const std::string& warning) {
-        return warning.find("Camera vectors are not perpendicular") != std::string::npos;
-    });
-    if (warnings.empty()) return;
-    throw PovrayError(fmt::format("{}: POV-Ray warns:\n    {}", scene.string(), fmt::join(warnings, "\n    ")));
+/// What stands in the entry before anything is rendered: a scene that is edited meanwhile is then stale, not wrong in
+/// silence.
+ManifestEntry begun_entry(const ReferenceFolders& folders, const std::string& scene, Raster raster,
+                          const Povray& povray) {
+    ManifestEntry entry;
+    entry.scene = scene;
+    entry.reference = reference_name(scene);
+    entry.raster = raster;
+    entry.sha256 = sha256_of_file(folders.scenes / scene);
+    entry.includes = fingerprints_of_includes(folders.scenes / scene, povray.include_folder());
+    return entry;
 }
 
 }  // namespace
@@ -46,19 +59,29 @@ void refuse_warnings(const fs::path& scene, std::vector<std::string> warnings) {
 ManifestEntry make_reference_of(const ReferenceFolders& folders, const std::string& scene, Raster raster,
                                 const Povray& povray, double seconds) {
     const fs::path file = folders.scenes / scene;
-    ManifestEntry entry;
-    entry.scene = scene;
-    entry.reference = reference_name(scene);
-    entry.raster = raster;
-    entry.command = command_of(scene, raster);
-    // Fingerprints first: a scene that is edited meanwhile is then stale, not wrong in silence.
-    entry.sha256 = sha256_of_file(file);
-    entry.includes = fingerprints_of_includes(file, povray.include_folder());
-
+    ManifestEntry entry = begun_entry(folders, scene, raster, povray);
+    entry.command = command_of(entry);
     PovrayFrame frame = povray.frame(file, raster, seconds);
     const PovrayFrame fine = povray.frame(file, {4 * raster.width, 4 * raster.height}, seconds);
     refuse_warnings(file, frame.warnings);
     save_reference(make_reference(std::move(frame.image), fine.image), folders.references() / entry.reference);
+    entry.sha256_reference = sha256_of_file(folders.references() / entry.reference);
+    return entry;
+}
+
+bool is_averaged(const ReferenceFolders& folders, const std::string& scene, const Povray& povray) {
+    return has_frames(folders.scenes / scene, include_folders(povray.include_folder()));
+}
+
+ManifestEntry make_averaged_reference_of(const ReferenceFolders& folders, const std::string& scene,
+                                         const Averaging& how) {
+    ManifestEntry entry = begun_entry(folders, scene, how.raster, *how.povray);
+    entry.method = fmt::format("mean of {} frames", how.frames);
+    entry.frames = how.frames;
+    entry.command = command_of(entry);
+    const AveragedReference reference = average_of_frames(how, folders.scenes / scene);
+    entry.standard_error = rms_error(reference);
+    save_averaged_reference(reference, folders.references() / entry.reference);
     entry.sha256_reference = sha256_of_file(folders.references() / entry.reference);
     return entry;
 }
@@ -78,7 +101,7 @@ std::vector<std::string> stale_fingerprints(const ReferenceFolders& folders, con
     } else if (sha256_of_file(reference) != entry.sha256_reference) {
         result.push_back("the reference has changed");
     }
-    if (entry.command != command_of(entry.scene, entry.raster)) result.push_back("POV-Ray is called differently now");
+    if (entry.command != command_of(entry)) result.push_back("POV-Ray is called differently now");
     return result;
 }
 
@@ -102,6 +125,14 @@ std::string difference_today(const ReferenceFolders& folders, const ManifestEntr
         }
     }
     return count == 0 ? "" : fmt::format("{} of {} pixels differ; {}", count, today.pixels.size(), first);
+}
+
+std::string averaged_difference_today(const ReferenceFolders& folders, const ManifestEntry& entry, Averaging how,
+                                      int replicate) {
+    const AveragedReference committed = load_averaged_reference(folders.references() / entry.reference);
+    how.raster = entry.raster;
+    how.frames = entry.frames;
+    return difference_of_replicate(committed, average_of_replicate(how, folders.scenes / entry.scene, replicate));
 }
 
 }  // namespace rays

@@ -14,13 +14,16 @@ struct ManifestEntry {
     std::string scene;      ///< relative to scenes/, e.g. "1_ray_casting/one_sphere.pov"
     std::string reference;  ///< relative to scenes/references/
     Raster raster{160, 120};
-    std::string method = "one frame";
+    std::string method = "one frame";  ///< or "mean of 512 frames"
     int frames = 1;
-    double standard_error = 0;                    ///< of the mean of the frames; 0 for one deterministic frame
-    std::string command;                          ///< as a person would type it in the scene's folder
-    std::string sha256;                           ///< of the scene
+    double standard_error = 0;  ///< of a mean: root mean square over the picture; else 0
+    std::string command;        ///< as a person would type it in the scene's folder; of a mean: its first frame
+    std::string sha256;         ///< of the scene
     std::map<std::string, std::string> includes;  ///< name as written -> SHA-256
     std::string sha256_reference;
+
+    /// The reference is a mean (load_averaged_reference), not a frame (load_reference).
+    bool averaged() const { return method.starts_with("mean of "); }
 };
 
 struct Manifest {

@@ -111,14 +111,17 @@ Povray::Povray() : program_(find_program("povray")) {
     version_ = ask_version(program_);
 }
 
-std::vector<std::string> Povray::frame_options(const std::string& scene, Raster raster, const std::string& output) {
+std::vector<std::string> Povray::frame_options(const std::string& scene, Raster raster, const std::string& output,
+                                               const std::vector<std::string>& declared) {
     std::vector<std::string> result{"+I" + scene, "+O" + output, fmt::format("+W{}", raster.width),
                                     fmt::format("+H{}", raster.height)};
     result.insert(result.end(), kOptions.begin(), kOptions.end());
+    result.insert(result.end(), declared.begin(), declared.end());
     return result;
 }
 
-PovrayFrame Povray::frame(const fs::path& scene, Raster raster, double seconds) const {
+PovrayFrame Povray::frame(const fs::path& scene, Raster raster, double seconds,
+                          const std::vector<std::string>& declared) const {
     const TemporaryFolder temporary;
     const fs::path folder = fs::absolute(scene).parent_path();
     std::vector<fs::path> readable{folder};
@@ -126,7 +129,7 @@ PovrayFrame Povray::frame(const fs::path& scene, Raster raster, double seconds) 
     make_home(temporary.path(), readable, temporary.path());
 
     const fs::path output = temporary.path() / "frame.exr";
-    std::vector<std::string> options = frame_options(scene.filename().string(), raster, output.string());
+    std::vector<std::string> options = frame_options(scene.filename().string(), raster, output.string(), declared);
     if (!include_folder_.empty()) options.push_back("+L" + include_folder_.string());
     const std::string said = run(program_, options, folder, temporary.path(), seconds, scene.string());
     if (!fs::exists(output)) fail(scene.string(), "no picture was written", said);

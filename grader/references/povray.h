@@ -38,10 +38,13 @@ public:
 
     /// The options of a frame that is one deterministic sample a pixel, in linear half floats: for the manifest, with
     /// names relative to the scene's folder. A person in that folder can type it.
-    static std::vector<std::string> frame_options(const std::string& scene, Raster raster, const std::string& output);
+    /// `declared` are further options that declare the scene's variables.
+    static std::vector<std::string> frame_options(const std::string& scene, Raster raster, const std::string& output,
+                                                  const std::vector<std::string>& declared = {});
 
     /// Renders one frame, whatever povray.conf and povray.ini of the user say. Throws PovrayError.
-    PovrayFrame frame(const std::filesystem::path& scene, Raster raster, double seconds) const;
+    PovrayFrame frame(const std::filesystem::path& scene, Raster raster, double seconds,
+                      const std::vector<std::string>& declared = {}) const;
 
     /// Only parses and runs the scene's language, and returns what it wrote to the file "answers" of its working
     /// folder: for scenes that ask trace(). Throws PovrayError.

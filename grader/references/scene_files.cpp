@@ -153,6 +153,14 @@ std::vector<std::string> included_names(std::string_view sdl, const std::string&
     return result;
 }
 
+bool mentions(std::string_view sdl, std::string_view word) {
+    Scanner scanner(sdl);
+    while (const auto token = scanner.next()) {
+        if (!token->string && token->text == word) return true;
+    }
+    return false;
+}
+
 std::map<std::string, fs::path> included_files(const fs::path& scene, const std::vector<fs::path>& folders) {
     std::map<std::string, fs::path> result;
     std::vector<fs::path> unread{scene};
@@ -167,6 +175,16 @@ std::map<std::string, fs::path> included_files(const fs::path& scene, const std:
         }
     }
     return result;
+}
+
+bool has_frames(const fs::path& scene, const std::vector<fs::path>& folders) {
+    constexpr std::string_view kWord = "Frame";
+    if (mentions(read_file(scene), kWord)) return true;
+    for (const auto& [name, file] : included_files(scene, folders)) {
+        const bool own = file == scene.parent_path() / name;
+        if (own && file.extension() != ".df3" && mentions(read_file(file), kWord)) return true;
+    }
+    return false;
 }
 
 }  // namespace rays

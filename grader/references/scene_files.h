@@ -21,10 +21,17 @@ std::vector<std::string> scenes_named(const std::vector<std::string>& scenes, co
 /// Throws InputError for an #include whose name is computed: its fingerprint cannot be taken.
 std::vector<std::string> included_names(std::string_view sdl, const std::string& where);
 
+/// Does SDL text use this word, not in comments or strings?
+bool mentions(std::string_view sdl, std::string_view word);
+
 /// Every file that the scene includes, directly or not: the name as written -> where it was found (the scene's folder
 /// first, then each of `folders`). Throws InputError when one is nowhere, or outside of the folder it was looked for
 /// in: POV-Ray 3.7 on Unix reads any file whatever its povray.conf permits.
 std::map<std::string, std::filesystem::path> included_files(const std::filesystem::path& scene,
                                                             const std::vector<std::filesystem::path>& folders);
+
+/// Is the scene to be referenced by the mean of many frames? It is when its own text, or a file of its own folder that
+/// it includes, uses the word `Frame`. Throws as included_files().
+bool has_frames(const std::filesystem::path& scene, const std::vector<std::filesystem::path>& folders);
 
 }  // namespace rays
