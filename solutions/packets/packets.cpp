@@ -1,6 +1,9 @@
 // Beyond the steps: blocks of pixels, eight rays at once through all of them.
 #include "renderer/packets.h"
 
+#include <algorithm>
+
+#include "packets/camera_samples.h"
 #include "packets/tracer.h"
 
 namespace rays {
@@ -9,13 +12,21 @@ namespace {
 
 class ScenePackets final : public Packets {
 public:
-    explicit ScenePackets(const Scene& scene) : intersector_(scene) {}
+    explicit ScenePackets(const Scene& scene) : scene_(scene), intersector_(scene) {}
     const Intersector& intersector() const override { return intersector_.single(); }
     std::unique_ptr<PacketTracer> tracer(World& world) const override {
         return std::make_unique<Tracer>(intersector_, world);
     }
 
+    std::unique_ptr<SampleChooser> chooser(const Raster& raster, const Purposes& purposes) const override {
+        const auto& lights = scene_.lights;
+        const bool has_balls = std::any_of(lights.begin(), lights.end(), [](const Light& l) { return l.area && l.orient; });
+        if (has_balls || scene_.camera.aperture_blades > 0) return nullptr;
+        return std::make_unique<CameraSamples>(scene_, raster, purposes);
+    }
+
 private:
+    const Scene& scene_;
     PacketIntersector intersector_;
 };
 

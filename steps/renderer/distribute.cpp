@@ -87,6 +87,8 @@ SampleTracer::SampleTracer(const Distribution& distribution) : distribution_(dis
         if (const auto everywhere = media_->everywhere()) {
             everywhere_ = *everywhere;
             tracer_ = packets->tracer(*world_);
+            if (distribution.pattern() == Pattern::sobol && distribution.options().filter == Filter::box)
+                chooser_ = packets->chooser(distribution.options().raster, purposes_);
             if (has_area_lights_) rays_.light.resize(3 * lights_.size());
             if (is_rough(*scene)) rays_.roughness = this;
         }
@@ -136,7 +138,18 @@ Radiance SampleTracer::sample(int x, int y, const Draw& draw) {
     return chosen.weight * radiance(*world_, chosen.ray, inside);
 }
 
-void SampleTracer::put(int x, int y, const Draw& draw, std::uint32_t number) {
+void SampleTracer::put(int x, int y, Draw draw, std::uint32_t count) {
+    const int at = rays_.count;
+    if (chooser_) chooser_->add(x, y, draw, static_cast<int>(count), rays_);
+    for (int i = at; i < at + static_cast<int>(count); ++i, ++draw.sample) {
+        draws_[i] = draw;
+        weights_[i] = 1;
+        pruned_[i] = 0;
+        if (!chooser_) put_one(x, y, draw);
+    }
+}
+
+void SampleTracer::put_one(int x, int y, const Draw& draw) {
     const Chosen chosen = choose(x, y, draw);
     const auto i = static_cast<std::size_t>(rays_.count++);
     const Vec3 direction = glm::normalize(chosen.ray.direction);
@@ -146,10 +159,7 @@ void SampleTracer::put(int x, int y, const Draw& draw, std::uint32_t number) {
     }
     for (std::size_t column = 0; column < rays_.light.size(); ++column)
         rays_.light[column][i] = lights_[column / 3].location[static_cast<int>(column % 3)];
-    draws_[i] = draw;
-    numbers_[i] = number;
     weights_[i] = chosen.weight;
-    pruned_[i] = 0;
 }
 
 void SampleTracer::trace_together() { tracer_->trace(rays_, everywhere_, brought_, pruned_); }
@@ -179,9 +189,10 @@ public:
         };
         for (int x = 0; x < raster_.width; ++x) {
             if (!active_[index(x, y)]) continue;
-            for (std::uint32_t s = before; s < after; ++s)
-                tracer.add(x, y, distribution_.draw(x, y, s, after),
-                           static_cast<std::uint32_t>(x) * Estimate::kGroups + group_of(s, before, after), add);
+            const auto number = [&](std::uint32_t sample) {
+                return static_cast<std::uint32_t>(x) * Estimate::kGroups + group_of(sample, before, after);
+            };
+            tracer.add(x, y, distribution_.draw(x, y, before, after), after, number, add);
             pixels_[index(x, y)].samples = after;
             if (take_unfinished_task()) unfinished_[index(x, y)] = 1;
         }
@@ -270,8 +281,8 @@ void sample_evenly(const Distribution& distribution, Crew& crew, Film& film, Res
         };
         std::vector<char> unfinished(pruned.size(), 0);
         for (int x = 0; x < options.raster.width; ++x) {
-            for (std::uint32_t s = 0; s < samples; ++s)
-                tracer.add(x, y, distribution.draw(x, y, s, samples), static_cast<std::uint32_t>(x), add);
+            const auto number = [x](std::uint32_t) { return static_cast<std::uint32_t>(x); };
+            tracer.add(x, y, distribution.draw(x, y, 0, samples), samples, number, add);
             if (take_unfinished_task()) unfinished[static_cast<std::size_t>(x)] = 1;
         }
         tracer.flush(add);

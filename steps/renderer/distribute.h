@@ -2,6 +2,7 @@
 // lights, its own time and its own slopes of rough surfaces. Step 5 says which; here it is put together.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -58,17 +59,19 @@ public:
     /// As World::pruned: summed up since it was last set to 0.
     double& pruned() { return world_->pruned; }
 
-    /// The same for many samples of a row, which may be traced together: what(i, radiance, pruned) is called for the i-th that
-    /// was added, in this order, some time before flush() returns.
-    template <class What>
-    void add(int x, int y, const Draw& draw, std::uint32_t number, What what) {
-        if (!tracer_) {
-            world_->pruned = 0;
-            const Radiance brought = sample(x, y, draw);
-            return what(number, brought, world_->pruned);
+    /// The same for samples `first.sample` to `end` - 1, many of which may be traced together, with others of the row:
+    /// what(number(sample), radiance, pruned) is called for each one that was added, in this order, some time before flush()
+    /// returns.
+    template <class Number, class What>
+    void add(int x, int y, Draw first, std::uint32_t end, Number number, What what) {
+        while (first.sample < end) {
+            const std::uint32_t run = std::min(end - first.sample, kRun);
+            if (!tracer_)
+                add_single(x, y, first, run, number, what);
+            else
+                add_together(x, y, first, run, number, what);
+            first.sample += run;
         }
-        put(x, y, draw, number);
-        if (rays_.count == SampleRays::kMost) flush(what);
     }
     template <class What>
     void flush(What what) {
@@ -79,8 +82,27 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t kRun = 8;  ///< samples are chosen together
+
+    template <class Number, class What>
+    void add_single(int x, int y, Draw draw, std::uint32_t count, Number number, What what) {
+        for (const std::uint32_t end = draw.sample + count; draw.sample < end; ++draw.sample) {
+            world_->pruned = 0;
+            const Radiance brought = sample(x, y, draw);
+            what(number(draw.sample), brought, world_->pruned);
+        }
+    }
+    template <class Number, class What>
+    void add_together(int x, int y, const Draw& first, std::uint32_t count, Number number, What what) {
+        if (rays_.count + static_cast<int>(count) > SampleRays::kMost) flush(what);
+        const int at = rays_.count;
+        put(x, y, first, count);
+        for (std::uint32_t i = 0; i < count; ++i) numbers_[static_cast<std::uint32_t>(at) + i] = number(first.sample + i);
+    }
+
     Chosen choose(int x, int y, const Draw& draw);
-    void put(int x, int y, const Draw& draw, std::uint32_t number);
+    void put(int x, int y, Draw draw, std::uint32_t count);
+    void put_one(int x, int y, const Draw& draw);
     void trace_together();
     void tilt(Surface& surface, int above) override;
     void tilt(int ray, Surface& surface, int above) override;
@@ -97,7 +119,8 @@ private:
     Purposes purposes_;
     Draw draw_;  ///< of the sample that is traced by itself
 
-    std::unique_ptr<PacketTracer> tracer_;  ///< null: one by one
+    std::unique_ptr<PacketTracer> tracer_;    ///< null: one by one
+    std::unique_ptr<SampleChooser> chooser_;  ///< null: they are chosen one by one
     Inside everywhere_;
     SampleRays rays_;
     Draw draws_[SampleRays::kMost];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "3_recursion/recursion.h"
+#include "5_distributed/distributed.h"
 
 namespace rays {
 
@@ -34,6 +35,14 @@ struct SampleRays {
     }* roughness = nullptr;
 };
 
+/// Chooses samples as step 5 does, many at a time.
+class SampleChooser {
+public:
+    virtual ~SampleChooser() = default;
+    /// Puts `count` samples of a pixel, at most eight, behind the rays that are there; `first` is the draw of the first one.
+    virtual void add(int x, int y, const Draw& first, int count, SampleRays& rays) const = 0;
+};
+
 /// One thread's.
 class PacketTracer {
 public:
@@ -56,6 +65,8 @@ public:
     virtual const Intersector& intersector() const = 0;
     /// `world` is the thread's own, over this intersector.
     virtual std::unique_ptr<PacketTracer> tracer(World& world) const = 0;
+    /// For Sobol points and the box filter. Null where the lens or the lights are not the usual ones.
+    virtual std::unique_ptr<SampleChooser> chooser(const Raster& raster, const Purposes& purposes) const = 0;
 };
 
 /// Null where there is nothing to trace packets with. The scene must outlive it.
