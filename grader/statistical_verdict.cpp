@@ -8,14 +8,16 @@
 namespace rays::grader {
 namespace {
 
-// How often the worst of all tests of a right picture is as bad as this.
+// How often the worst of all tests of a right picture is as bad as this. Both kinds of test have half of the rate, so the
+// chance of one counts twice.
 double chance_of(const Examination& e, const std::vector<Suspect>& wrong) {
     double least = 1;
     for (const Suspect& s : wrong) {
         const Difference& d = e.of(s);
-        least = std::min(least, 2 * student_t_above(std::abs(d.z), d.freedom));
+        const int tests = s.tile < 0 ? e.whole_tests : e.tile_tests;
+        least = std::min(least, sidak_of_all(2 * student_t_above(std::abs(d.z), d.freedom), 2 * tests));
     }
-    return sidak_of_all(least, e.tests + (e.tests == 3 * static_cast<int>(e.tiles.size()) ? 3 : 0));
+    return least;
 }
 
 // A picture too bright by less than this share would not be noticed.
@@ -32,7 +34,7 @@ BiasVerdict judge_bias(Pictures first, const AveragedTruth& truth, const Verdict
                        const std::function<Pictures(int seeds)>& more) {
     BiasVerdict verdict;
     const int seeds = static_cast<int>(first.size());
-    verdict.examination = examine(first, truth, {options.tile, options.margin, options.first_alarm_rate});
+    verdict.examination = examine(first, truth, options.batch(options.first_alarm_rate));
     verdict.pictures = std::move(first);
     verdict.passed = verdict.examination.passed();
     if (verdict.passed) return verdict;
@@ -43,7 +45,7 @@ BiasVerdict judge_bias(Pictures first, const AveragedTruth& truth, const Verdict
     if (second.empty()) return verdict.cut_short = true, verdict;
     verdict.batches = 2;
     verdict.examination =
-        examine(second, truth, {options.tile, options.margin, options.second_alarm_rate}, verdict.first_found);
+        examine(second, truth, options.batch(options.second_alarm_rate), verdict.first_found);
     verdict.pictures = std::move(second);
     verdict.passed = verdict.examination.passed();
     verdict.chance *= verdict.examination.not_finite > 0 ? 0 : chance_of(verdict.examination, verdict.examination.suspects());

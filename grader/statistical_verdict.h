@@ -10,10 +10,10 @@ namespace rays::grader {
 
 struct VerdictOptions {
     int tile = 8;
-    double margin = 0.01;
+    double tile_margin = 0.01, whole_margin = 0.005;
     /// How often a right picture fails the first batch, which costs another batch, and how often one that did fails the
     /// second, which costs points. The batches are independent: together alarm_rate().
-    double first_alarm_rate = 0.05, second_alarm_rate = 0.01;
+    double first_alarm_rate = 0.1, second_alarm_rate = 0.005;
     /// The student's variance over the solution's: full points up to the first, none from the second on. A correct
     /// sampler that is not the solution's (jittered, or another sequence) must stay below the first.
     double noise_full = 1.75, noise_none = 2.5;
@@ -22,6 +22,7 @@ struct VerdictOptions {
     /// A picture with too much noise that would not be caught if it were too bright by this share shows nothing.
     double resolution = 0.04;
 
+    BiasOptions batch(double rate) const { return {tile, tile_margin, whole_margin, rate}; }
     double alarm_rate() const { return first_alarm_rate * second_alarm_rate; }
 };
 

@@ -120,9 +120,11 @@ public:
         take_samples();
         // Tiles and the whole picture share the rate: half of it for each.
         const double half = sidak(options_.alarm_rate, 2);
-        result_.tests = suspects.empty() ? 3 * columns_ * rows_ : static_cast<int>(suspects.size());
-        Limits for_tiles(suspects.empty() ? sidak(half, result_.tests) : sidak(options_.alarm_rate, result_.tests));
-        Limits for_whole(suspects.empty() ? sidak(half, 3) : sidak(options_.alarm_rate, result_.tests));
+        const auto of_whole =
+            static_cast<int>(std::count_if(suspects.begin(), suspects.end(), [](const Suspect& s) { return s.tile < 0; }));
+        result_.whole_tests = suspects.empty() ? 3 : of_whole;
+        result_.tile_tests = suspects.empty() ? 3 * columns_ * rows_ : static_cast<int>(suspects.size()) - of_whole;
+        Limits for_tiles(sidak(half, result_.tile_tests)), for_whole(sidak(half, result_.whole_tests));
         for (std::size_t c = 0; c < 3; ++c) judge_channel(c, for_tiles, for_whole);
         if (!suspects.empty()) keep_only(suspects);
         find_worst();
@@ -131,7 +133,8 @@ public:
     }
 
 private:
-    double freedom() const { return double(pictures_.size()) - 1; }
+    double seeds() const { return double(pictures_.size()); }
+    double freedom() const { return seeds() - 1; }
     std::size_t tile_index(int column, int row) const { return static_cast<std::size_t>(row * columns_ + column); }
 
     void take_samples() {
@@ -155,37 +158,35 @@ private:
         return std::max(std::abs(whole_[channel].reference), kFaintChannel * all);
     }
 
-    std::vector<double> variances(std::size_t channel, int column, int row, int reach) const {
-        std::vector<double> list;
-        for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r)
-            for (int c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c)
-                list.push_back(samples_[channel][tile_index(c, r)].variance);
-        return list;
+    Estimate of_neighbourhood(std::size_t channel, int column, int row) const {
+        std::vector<double> variances;
+        for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r)
+            for (int c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c)
+                variances.push_back(samples_[channel][tile_index(c, r)].variance);
+        return mean_of(variances, freedom());
     }
 
     void judge_channel(std::size_t c, Limits& for_tiles, Limits& for_whole) {
         const double picture_level = level(c);
-        const Estimate everywhere = mean_of(variances(c, 0, 0, std::max(columns_, rows_)), freedom());
         for (int row = 0; row < rows_; ++row) {
             for (int column = 0; column < columns_; ++column) {
                 const Sample& s = samples_[c][tile_index(column, row)];
-                const std::vector<Estimate> estimates{
-                    {s.variance, freedom()}, mean_of(variances(c, column, row, 1), freedom()), everywhere};
+                const std::vector<Estimate> estimates{{s.variance, freedom()}, of_neighbourhood(c, column, row)};
                 result_.tiles[tile_index(column, row)].channels[c] =
-                    judged(s, std::max(std::abs(s.reference), picture_level), estimates, for_tiles);
+                    judged(s, options_.tile_margin * std::max(std::abs(s.reference), picture_level), seeds(), estimates, for_tiles);
             }
         }
-        result_.whole[c] = judged(whole_[c], picture_level, {{whole_[c].variance, freedom()}}, for_whole);
+        result_.whole[c] = judged(whole_[c], options_.whole_margin * picture_level, seeds(), {{whole_[c].variance, freedom()}}, for_whole);
     }
 
-    Difference judged(const Sample& s, double level, const std::vector<Estimate>& estimates, Limits& limits) const {
+    static Difference judged(const Sample& s, double margin, double seeds, const std::vector<Estimate>& estimates, Limits& limits) {
         Difference d;
         d.value = s.difference;
         d.reference = s.reference;
-        d.margin = options_.margin * level;
+        d.margin = margin;
         double allowed = -1;
         for (const Estimate& e : estimates) {
-            const double own = e.variance / double(pictures_.size()), known = s.error * s.error;
+            const double own = e.variance / seeds, known = s.error * s.error;
             const double error = std::sqrt(own + known);
             const double freedom = own > 0 ? std::min(kMostFreedom, e.freedom * (own + known) * (own + known) / (own * own))
                                            : kMostFreedom;

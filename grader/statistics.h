@@ -19,8 +19,9 @@ using Pictures = std::vector<RgbImage>;
 
 struct BiasOptions {
     int tile = 8;             ///< pixels each way
-    double margin = 0.01;     ///< a difference of this share of the level is none: sampling is not all that may differ
-    double alarm_rate = 0.05; ///< of one batch: how often a right picture fails it
+    /// A difference of this share of the level is none: sampling is not all that may differ.
+    double tile_margin = 0.01, whole_margin = 0.005;
+    double alarm_rate = 0.05;  ///< of one batch: how often a right picture fails it
 };
 
 /// One hypothesis: pictures and truth agree here, give or take the margin.
@@ -55,7 +56,7 @@ struct Examination {
     int tiles_wrong = 0;
     int worst_tile = -1;           ///< the one nearest to, or farthest beyond, its limit
     std::size_t worst_channel = 0;  ///< there
-    int tests = 0;                 ///< among which the alarm rate of the tiles is shared
+    int tile_tests = 0, whole_tests = 0;  ///< each kind shares half of the alarm rate
     double mean_variance = 0;      ///< over the seeds, mean over pixels and channels
     /// Variance of tiles' means times their pixels, over the pixels' variance: 1 when neighbouring pixels have random
     /// numbers of their own, the number of a tile's pixels when they share them.
@@ -76,7 +77,7 @@ struct Examination {
 /// as known exactly; degrees of freedom by Welch and Satterthwaite.
 ///
 /// Where light is rare but bright, all seeds of a tile may have missed it: their spread then says nothing of it. So a
-/// tile is also given the mean variance of its neighbourhood, and of the picture, and whatever allows most counts.
+/// tile is also given the mean variance of the 3 x 3 tiles around it, and whichever of the two allows more counts.
 Examination examine(const Pictures& pictures, const AveragedTruth& truth, const BiasOptions& options,
                     const std::vector<Suspect>& suspects = {});
 

@@ -93,6 +93,7 @@ std::vector<Noise> noises() {
             {"with edges and fireflies", 0.4, 2, 2e-4, 60},
             {"fireflies, else calm", 0.02, 0.02, 2e-4, 60},
             {"a tenth of them, 600x", 0.4, 2, 2e-5, 600},
+            {"the same, else calm", 0.02, 0.02, 2e-5, 600},
             {"coarse reference", 0.4, 2, 2e-4, 60, 0.01}};
 }
 
