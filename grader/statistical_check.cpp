@@ -119,6 +119,7 @@ void fill(ImageResult& image, const RgbImage& mean, const AveragedTruth& truth, 
             ++counted;
         }
     }
+    image.tolerance = VerdictOptions{}.tile_margin;  // of a mean, not of a pixel: the page has a map of z
     image.rmse = counted > 0 ? std::sqrt(squares / counted) : 0;
     if (worst) image.worst_x = worst->x + worst->width / 2, image.worst_y = worst->y + worst->height / 2;
     image.worst_student = mean.at(image.worst_x, image.worst_y);

@@ -132,7 +132,7 @@ TEST_F(StatisticalCheckTest, TooMuchNoiseCostsThirtyPercent) {
 }
 
 TEST_F(StatisticalCheckTest, ASeedThatDoesNothingIsNamed) {
-    const Check c = check({1, 0.05f, "seed=3"});
+    const Check c = check({1, 0.5f, "seed=3"});
     EXPECT_EQ(c.verdict, Verdict::fail) << "one picture's noise is no mean";
     ASSERT_FALSE(c.diagnosis.empty());
     EXPECT_TRUE(has(c.diagnosis[0].text, "--seed must decide"));

@@ -205,15 +205,15 @@ TEST_F(Confirmation, ARightPictureNeedsNoSecondBatch) {
 }
 
 TEST_F(Confirmation, AFailureNeedsTheSamePlaceInTheSameDirectionTwice) {
-    const BiasVerdict same = verdict(with(0.2f, 0, 8), with(0.2f, 0, 16));
+    const BiasVerdict same = verdict(with(0.02f, 0, 8), with(0.02f, 0, 16));
     EXPECT_EQ(asked_, 16) << "twice the seeds";
     EXPECT_FALSE(same.passed);
     EXPECT_EQ(same.batches, 2);
     EXPECT_EQ(same.examination.tiles_wrong, 1);
     EXPECT_LT(same.chance, 1e-6);
-    EXPECT_TRUE(verdict(with(0.2f, 0, 8), with(0.2f, 16, 16)).passed) << "another tile";
-    EXPECT_TRUE(verdict(with(0.2f, 0, 8), with(-0.2f, 0, 16)).passed) << "the other direction";
-    EXPECT_TRUE(verdict(with(0.2f, 0, 8), alternating(1, 0.001f, 16)).passed) << "chance";
+    EXPECT_TRUE(verdict(with(0.02f, 0, 8), with(0.02f, 16, 16)).passed) << "another tile";
+    EXPECT_TRUE(verdict(with(0.02f, 0, 8), with(-0.02f, 0, 16)).passed) << "the other direction";
+    EXPECT_TRUE(verdict(with(0.02f, 0, 8), alternating(1, 0.001f, 16)).passed) << "chance";
 }
 
 TEST_F(Confirmation, NotANumberIsNoChance) {
@@ -226,7 +226,7 @@ TEST_F(Confirmation, NotANumberIsNoChance) {
 }
 
 TEST_F(Confirmation, WithoutASecondBatchNothingIsPassed) {
-    const BiasVerdict v = verdict(with(0.2f, 0, 8), {});
+    const BiasVerdict v = verdict(with(0.02f, 0, 8), {});
     EXPECT_FALSE(v.passed);
     EXPECT_TRUE(v.cut_short);
 }
