@@ -688,7 +688,7 @@ test("a noisy picture shows its mean beside the reference, and a diverging map o
     assert.ok(Math.abs((box.x - map.x) / map.width - 64 / 160) < 0.01 && Math.abs(box.width / map.width - 8 / 160) < 0.01, "the worst tile is framed");
     await wrong.getByRole("button", {name: "Go to the worst tile"}).click();
     assert.match(await wrong.locator(".pixel-verdict").textContent(), /Tile darker than the margin allows by 9 standard errors/);
-    await page.getByText("Dark", {exact: true}).click();
+    await page.locator("input[name=theme][value=dark]").check();
     const night = await color(8, 0);
     assert.ok(night[0] < 80, `${night}: grey, dark on a dark page`);
     assert.match(await check("Glossy floor").locator(".facts").textContent(), /noise over the solution's2.1 \(full points up to 1.75, none from 2.5\)/);
