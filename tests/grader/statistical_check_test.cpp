@@ -131,6 +131,13 @@ TEST_F(StatisticalCheckTest, TooMuchNoiseCostsThirtyPercent) {
     EXPECT_EQ(check({1, 0.1f}).verdict, Verdict::pass) << "the scene decides how much is too much";
 }
 
+TEST_F(StatisticalCheckTest, NoiseIsNotRewarded) {
+    const Check c = check({1, 4.0f});
+    EXPECT_EQ(c.verdict, Verdict::fail) << c.message;
+    EXPECT_EQ(c.points, 0) << "nobody can tell whether this mean is right";
+    EXPECT_TRUE(has(c.message, "could not be told from a right one")) << c.message;
+}
+
 TEST_F(StatisticalCheckTest, ASeedThatDoesNothingIsNamed) {
     const Check c = check({1, 0.5f, "seed=3"});
     EXPECT_EQ(c.verdict, Verdict::fail) << "one picture's noise is no mean";

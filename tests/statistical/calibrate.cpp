@@ -198,7 +198,7 @@ std::vector<Row> real(const Settings& s) {
     std::vector<Row> rows;
     for (const Bias& bias : biases()) {
         if (bias.noise != 1) continue;
-        Row row{s.scene, bias.name, is_right(bias)};
+        Row row{std::filesystem::path(s.scene).stem().string(), bias.name, is_right(bias)};
         for (int i = 0; i < (row.right ? s.gradings : std::max(1, s.gradings / 10)); ++i) {
             std::vector<std::size_t> order(all.size());
             for (std::size_t k = 0; k < order.size(); ++k) {
