@@ -36,8 +36,8 @@ ReferenceFiles reference_files(const Bench& bench, const std::string& scene) {
     if (!entry) throw InputError(fmt::format("{} has no reference: run ./rays references {}", scene, stem(scene)));
     ReferenceFiles result{scene_files(bench.project.scenes() / scene), bench.project.references() / entry->reference};
     if (sha256(result.scene.front().bytes) != entry->sha256)
-        throw InputError(fmt::format("{} has changed since its reference was made: run ./rays references {}", scene,
-                                     stem(scene)));
+        throw InputError(
+            fmt::format("{} has changed since its reference was made: run ./rays references {}", scene, stem(scene)));
     return result;
 }
 

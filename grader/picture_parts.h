@@ -11,7 +11,8 @@ namespace rays::grader {
 /// "1_ray_casting/one_sphere.pov" -> "one_sphere"
 std::string stem(const std::string& scene);
 
-/// A check of this scene's picture, which has found nothing yet. `mode` is "isolated" or "all mine", which earns nothing.
+/// A check of this scene's picture, which has found nothing yet. `mode` is "isolated" or "all mine", which earns
+/// nothing.
 Check new_picture_check(const Bench& bench, const SceneTask& scene, const std::string& kind, const std::string& mode);
 
 struct ReferenceFiles {

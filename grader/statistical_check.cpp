@@ -47,13 +47,15 @@ public:
         for (int i = 0; i < seeds; ++i) {
             const std::uint64_t seed = seed_of(bench_.seed, scene_.scene, series, i);
             std::vector<std::string> options = options_of(scene_.partition);
-            for (const std::string& o : {std::string("--samples"), std::to_string(scene_.samples), std::string("--seed"), std::to_string(seed)})
+            for (const std::string& o : {std::string("--samples"), std::to_string(scene_.samples),
+                                         std::string("--seed"), std::to_string(seed)})
                 options.push_back(o);
             Shot shot = shoot(bench_.sandbox, program, files_, raster_, bench_.limits, options);
             seconds_ += shot.seconds;
             unfinished_ = shot.unfinished;
             if (shot.against) {
-                against_ = Finding{shot.against->verdict, fmt::format("with --seed {}: {}", seed, shot.against->message)};
+                against_ =
+                    Finding{shot.against->verdict, fmt::format("with --seed {}: {}", seed, shot.against->message)};
                 return {};
             }
             if (!unfinished_.empty()) return {};
@@ -97,11 +99,13 @@ void fill(StatisticsResult& s, const Examination& e, const VerdictOptions& optio
     s.noise_none = options.noise_none;
     if (e.not_finite > 0) return;
     const auto of = [](const Difference& d, std::size_t channel) {
-        return ChannelDifference{channel_name(channel), d.value, d.reference, d.margin, d.standard_error, d.z, d.limit, d.wrong};
+        return ChannelDifference{channel_name(channel), d.value, d.reference, d.margin,
+                                 d.standard_error,      d.z,     d.limit,     d.wrong};
     };
     for (std::size_t c = 0; c < 3; ++c) s.whole.push_back(of(e.whole[c], c));
     const Tile& worst = e.tiles[static_cast<std::size_t>(e.worst_tile)];
-    s.worst = WorstTile{worst.x, worst.y, worst.width, worst.height, of(worst.channels[e.worst_channel], e.worst_channel)};
+    s.worst =
+        WorstTile{worst.x, worst.y, worst.width, worst.height, of(worst.channels[e.worst_channel], e.worst_channel)};
     s.variance = e.mean_variance;
 }
 
@@ -146,9 +150,13 @@ void judge_noise_of(const Sitting& s, const BiasVerdict& bias, Check& check) {
     const auto noise = noise_of(s, bias);
     if (!noise) {
         const bool ours = s.solution.against().has_value();
-        check.verdict = ours ? Verdict::infrastructure_error : s.student.against() ? s.student.against()->verdict : Verdict::fail;
+        check.verdict = ours                  ? Verdict::infrastructure_error
+                        : s.student.against() ? s.student.against()->verdict
+                                              : Verdict::fail;
         check.message = ours ? "the solution cannot render this scene: " + s.solution.against()->message
-                             : s.student.against() ? s.student.against()->message : "a further picture waits for " + unfinished_text(s.student.unfinished());
+                        : s.student.against()
+                            ? s.student.against()->message
+                            : "a further picture waits for " + unfinished_text(s.student.unfinished());
         check.points = 0;
         return;
     }
@@ -170,8 +178,11 @@ void judge_noise_of(const Sitting& s, const BiasVerdict& bias, Check& check) {
 void judge(const Sitting& s, Check& check) {
     Pictures first = s.student.take(s.program, Series::student, s.scene.seeds);
     const auto stopped = [&] {
-        if (s.student.against()) check.verdict = s.student.against()->verdict, check.message = s.student.against()->message;
-        else check.verdict = Verdict::not_started, check.message = "the picture waits for task " + unfinished_text(s.student.unfinished());
+        if (s.student.against())
+            check.verdict = s.student.against()->verdict, check.message = s.student.against()->message;
+        else
+            check.verdict = Verdict::not_started,
+            check.message = "the picture waits for task " + unfinished_text(s.student.unfinished());
     };
     if (first.empty()) return stopped();
     const BiasVerdict bias = judge_bias(std::move(first), s.truth, s.options, [&](int seeds) {
@@ -192,9 +203,11 @@ void judge(const Sitting& s, Check& check) {
     if (!bias.passed) {
         check.verdict = Verdict::fail;
         if (all_equal(bias.pictures))
-            check.diagnosis.push_back({"picture", "pictures of different seeds are equal: --seed must decide all random numbers", {}});
+            check.diagnosis.push_back(
+                {"picture", "pictures of different seeds are equal: --seed must decide all random numbers", {}});
         if (bias.examination.not_finite == 0 && s.bench.explain)
-            if (const auto text = explain_bias(bias.pictures, s.truth, s.options)) check.diagnosis.push_back({"picture", *text, {}});
+            if (const auto text = explain_bias(bias.pictures, s.truth, s.options))
+                check.diagnosis.push_back({"picture", *text, {}});
         return;
     }
     check.verdict = Verdict::pass;
@@ -210,7 +223,8 @@ Check checked(const Bench& bench, const SceneTask& scene, const fs::path& progra
         if (!bench.out.empty()) check.image->reference = fs::relative(files.reference, bench.out).string();
         check.image->width = truth.mean.raster.width;
         check.image->height = truth.mean.raster.height;
-        Photographer student(bench, scene, files.scene, truth.mean.raster), solution(bench, scene, files.scene, truth.mean.raster);
+        Photographer student(bench, scene, files.scene, truth.mean.raster),
+            solution(bench, scene, files.scene, truth.mean.raster);
         VerdictOptions options;
         options.noise_full = scene.noise_full;
         options.noise_none = scene.noise_none;

@@ -8,8 +8,8 @@
 namespace rays::grader {
 namespace {
 
-// How often the worst of all tests of a right picture is as bad as this. Both kinds of test have half of the rate, so the
-// chance of one counts twice.
+// How often the worst of all tests of a right picture is as bad as this. Both kinds of test have half of the rate, so
+// the chance of one counts twice.
 double chance_of(const Examination& e, const std::vector<Suspect>& wrong) {
     double least = 1;
     for (const Suspect& s : wrong) {
@@ -44,11 +44,11 @@ BiasVerdict judge_bias(Pictures first, const AveragedTruth& truth, const Verdict
     Pictures second = more(2 * seeds);
     if (second.empty()) return verdict.cut_short = true, verdict;
     verdict.batches = 2;
-    verdict.examination =
-        examine(second, truth, options.batch(options.second_alarm_rate), verdict.first_found);
+    verdict.examination = examine(second, truth, options.batch(options.second_alarm_rate), verdict.first_found);
     verdict.pictures = std::move(second);
     verdict.passed = verdict.examination.passed();
-    verdict.chance *= verdict.examination.not_finite > 0 ? 0 : chance_of(verdict.examination, verdict.examination.suspects());
+    verdict.chance *=
+        verdict.examination.not_finite > 0 ? 0 : chance_of(verdict.examination, verdict.examination.suspects());
     return verdict;
 }
 

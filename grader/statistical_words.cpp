@@ -21,16 +21,18 @@ std::string whole_text(const Examination& e) {
     std::string text;
     for (std::size_t c = 0; c < 3; ++c)
         if (e.whole[c].wrong)
-            text += fmt::format("{}{} is {}", text.empty() ? "of the whole picture, " : ", ", channel_name(c), difference_text(e.whole[c]));
+            text += fmt::format("{}{} is {}", text.empty() ? "of the whole picture, " : ", ", channel_name(c),
+                                difference_text(e.whole[c]));
     return text;
 }
 
 std::string worst_text(const Examination& e, Raster raster) {
     const Tile& tile = e.tiles[static_cast<std::size_t>(e.worst_tile)];
     const Difference& d = tile.channels[e.worst_channel];
-    return fmt::format("{} of {} tiles wrong, most of all {}: {} is {}, {:.1f} standard errors beyond the {:.2g} allowed",
-                       e.tiles_wrong, e.tiles.size(), tile_text(tile, raster), channel_name(e.worst_channel),
-                       difference_text(d), std::abs(d.z), d.margin);
+    return fmt::format(
+        "{} of {} tiles wrong, most of all {}: {} is {}, {:.1f} standard errors beyond the {:.2g} allowed",
+        e.tiles_wrong, e.tiles.size(), tile_text(tile, raster), channel_name(e.worst_channel), difference_text(d),
+        std::abs(d.z), d.margin);
 }
 
 // ---- explanations
@@ -135,7 +137,8 @@ std::string difference_text(const Difference& d) {
 
 std::string tile_text(const Tile& t, Raster raster) {
     const auto third = [](double middle, int size) { return std::clamp(static_cast<int>(3 * middle / size), 0, 2); };
-    const char* places[3][3] = {{"upper left", "top", "upper right"}, {"left", "middle", "right"}, {"lower left", "bottom", "lower right"}};
+    const char* places[3][3] = {
+        {"upper left", "top", "upper right"}, {"left", "middle", "right"}, {"lower left", "bottom", "lower right"}};
     return fmt::format("at pixels ({}, {}) to ({}, {}), {}", t.x, t.y, t.x + t.width - 1, t.y + t.height - 1,
                        places[third(t.y + 0.5 * t.height, raster.height)][third(t.x + 0.5 * t.width, raster.width)]);
 }
@@ -145,12 +148,16 @@ std::string bias_text(const BiasVerdict& v, Raster raster) {
     if (e.not_finite > 0)
         return fmt::format("{} of {} pictures {} not finite (NaN or infinite)", count(e.not_finite, "pixel"), e.seeds,
                            e.not_finite == 1 ? "is" : "are");
-    const std::string seeds = v.batches == 1 ? fmt::format("{} seeds", e.seeds) : fmt::format("{} seeds and then {} others", e.seeds / 2, e.seeds);
+    const std::string seeds = v.batches == 1 ? fmt::format("{} seeds", e.seeds)
+                                             : fmt::format("{} seeds and then {} others", e.seeds / 2, e.seeds);
     if (v.passed) {
-        std::string text = fmt::format("the mean of {} is right in all of {} tiles and as a whole", count(e.seeds, "seed"), e.tiles.size());
+        std::string text = fmt::format("the mean of {} is right in all of {} tiles and as a whole",
+                                       count(e.seeds, "seed"), e.tiles.size());
         if (v.batches == 2)
-            text += fmt::format("; that {} differed in {} of {} seeds was chance, {} others say", v.first_found.size() == 1 ? "one place" : fmt::format("{} places", v.first_found.size()),
-                                "a first batch", e.seeds / 2, e.seeds);
+            text +=
+                fmt::format("; that {} differed in {} of {} seeds was chance, {} others say",
+                            v.first_found.size() == 1 ? "one place" : fmt::format("{} places", v.first_found.size()),
+                            "a first batch", e.seeds / 2, e.seeds);
         return text;
     }
     std::string text = fmt::format("the mean is wrong in {}: ", seeds);
@@ -163,12 +170,16 @@ std::string bias_text(const BiasVerdict& v, Raster raster) {
 std::string noise_text(const NoiseVerdict& v, const VerdictOptions& options) {
     if (v.equal) return "pictures of different seeds are equal: --seed must decide all random numbers";
     if (v.shared)
-        return "neighbouring pixels share their random numbers, so that their noise does not average out: give each pixel its own";
-    const std::string times = fmt::format("the noise (mean variance) is {:.3g} times the solution's at as many samples", v.ratio);
+        return "neighbouring pixels share their random numbers, so that their noise does not average out: give each "
+               "pixel its own";
+    const std::string times =
+        fmt::format("the noise (mean variance) is {:.3g} times the solution's at as many samples", v.ratio);
     if (v.share == 1) return times;
     if (v.unresolved)
-        return fmt::format("{}: so much that a picture too bright by {:.2g} % could not be told from a right one", times, 100 * options.resolution);
-    return fmt::format("{}: up to {:.3g} is well, from {:.3g} on it earns nothing", times, options.noise_full, options.noise_none);
+        return fmt::format("{}: so much that a picture too bright by {:.2g} % could not be told from a right one",
+                           times, 100 * options.resolution);
+    return fmt::format("{}: up to {:.3g} is well, from {:.3g} on it earns nothing", times, options.noise_full,
+                       options.noise_none);
 }
 
 std::optional<std::string> explain_bias(const Pictures& pictures, const AveragedTruth& truth,

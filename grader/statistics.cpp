@@ -28,7 +28,8 @@ int count_not_finite(const Pictures& pictures) {
 void check_sizes(const Pictures& pictures, const AveragedTruth& truth) {
     const Raster& raster = truth.mean.raster;
     const auto fits = [&](const RgbImage& i) {
-        return i.raster.width == raster.width && i.raster.height == raster.height && i.pixels.size() == truth.mean.pixels.size();
+        return i.raster.width == raster.width && i.raster.height == raster.height &&
+               i.pixels.size() == truth.mean.pixels.size();
     };
     if (pictures.size() < 2) throw std::invalid_argument("statistics need at least two pictures");
     if (truth.mean.pixels.empty() || !fits(truth.error) || !std::all_of(pictures.begin(), pictures.end(), fits))
@@ -110,7 +111,10 @@ private:
 class Examiner {
 public:
     Examiner(const Pictures& pictures, const AveragedTruth& truth, const BiasOptions& options)
-        : pictures_(pictures), truth_(truth), options_(options), raster_(truth.mean.raster),
+        : pictures_(pictures),
+          truth_(truth),
+          options_(options),
+          raster_(truth.mean.raster),
           columns_((raster_.width + options.tile - 1) / options.tile),
           rows_((raster_.height + options.tile - 1) / options.tile) {
         result_.seeds = static_cast<int>(pictures.size());
@@ -120,8 +124,8 @@ public:
         take_samples();
         // Tiles and the whole picture share the rate: half of it for each.
         const double half = sidak(options_.alarm_rate, 2);
-        const auto of_whole =
-            static_cast<int>(std::count_if(suspects.begin(), suspects.end(), [](const Suspect& s) { return s.tile < 0; }));
+        const auto of_whole = static_cast<int>(
+            std::count_if(suspects.begin(), suspects.end(), [](const Suspect& s) { return s.tile < 0; }));
         result_.whole_tests = suspects.empty() ? 3 : of_whole;
         result_.tile_tests = suspects.empty() ? 3 * columns_ * rows_ : static_cast<int>(suspects.size()) - of_whole;
         Limits for_tiles(sidak(half, result_.tile_tests)), for_whole(sidak(half, result_.whole_tests));
@@ -173,13 +177,16 @@ private:
                 const Sample& s = samples_[c][tile_index(column, row)];
                 const std::vector<Estimate> estimates{{s.variance, freedom()}, of_neighbourhood(c, column, row)};
                 result_.tiles[tile_index(column, row)].channels[c] =
-                    judged(s, options_.tile_margin * std::max(std::abs(s.reference), picture_level), seeds(), estimates, for_tiles);
+                    judged(s, options_.tile_margin * std::max(std::abs(s.reference), picture_level), seeds(), estimates,
+                           for_tiles);
             }
         }
-        result_.whole[c] = judged(whole_[c], options_.whole_margin * picture_level, seeds(), {{whole_[c].variance, freedom()}}, for_whole);
+        result_.whole[c] = judged(whole_[c], options_.whole_margin * picture_level, seeds(),
+                                  {{whole_[c].variance, freedom()}}, for_whole);
     }
 
-    static Difference judged(const Sample& s, double margin, double seeds, const std::vector<Estimate>& estimates, Limits& limits) {
+    static Difference judged(const Sample& s, double margin, double seeds, const std::vector<Estimate>& estimates,
+                             Limits& limits) {
         Difference d;
         d.value = s.difference;
         d.reference = s.reference;
@@ -188,8 +195,9 @@ private:
         for (const Estimate& e : estimates) {
             const double own = e.variance / seeds, known = s.error * s.error;
             const double error = std::sqrt(own + known);
-            const double freedom = own > 0 ? std::min(kMostFreedom, e.freedom * (own + known) * (own + known) / (own * own))
-                                           : kMostFreedom;
+            const double freedom = own > 0
+                                       ? std::min(kMostFreedom, e.freedom * (own + known) * (own + known) / (own * own))
+                                       : kMostFreedom;
             const double limit = limits.at(freedom);
             if (limit * error <= allowed) continue;
             allowed = limit * error;
@@ -237,7 +245,8 @@ private:
                 double sum = 0, squares = 0;
                 for (const RgbImage& p : pictures_) sum += double(p.pixels[i][c]);
                 const double mean = sum / double(pictures_.size());
-                for (const RgbImage& p : pictures_) squares += (double(p.pixels[i][c]) - mean) * (double(p.pixels[i][c]) - mean);
+                for (const RgbImage& p : pictures_)
+                    squares += (double(p.pixels[i][c]) - mean) * (double(p.pixels[i][c]) - mean);
                 of_pixels += squares / freedom();
             }
         }
@@ -300,7 +309,8 @@ RgbImage mean_of(const Pictures& pictures) {
 }
 
 RgbImage z_picture(const Examination& examination, Raster raster) {
-    RgbImage picture{raster, std::vector<Rgb>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height))};
+    RgbImage picture{
+        raster, std::vector<Rgb>(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height))};
     for (const Tile& t : examination.tiles)
         for (int y = t.y; y < t.y + t.height; ++y)
             for (int x = t.x; x < t.x + t.width; ++x)
@@ -309,7 +319,8 @@ RgbImage z_picture(const Examination& examination, Raster raster) {
 }
 
 bool all_equal(const Pictures& pictures) {
-    return std::all_of(pictures.begin(), pictures.end(), [&](const RgbImage& p) { return p.pixels == pictures.front().pixels; });
+    return std::all_of(pictures.begin(), pictures.end(),
+                       [&](const RgbImage& p) { return p.pixels == pictures.front().pixels; });
 }
 
 }  // namespace rays::grader

@@ -18,7 +18,7 @@ struct AveragedTruth {
 using Pictures = std::vector<RgbImage>;
 
 struct BiasOptions {
-    int tile = 8;             ///< pixels each way
+    int tile = 8;  ///< pixels each way
     /// A difference of this share of the level is none: sampling is not all that may differ.
     double tile_margin = 0.01, whole_margin = 0.005;
     double alarm_rate = 0.05;  ///< of one batch: how often a right picture fails it
@@ -32,7 +32,7 @@ struct Difference {
     double standard_error = 0;  ///< of `value`
     double freedom = 0;         ///< degrees of freedom of that
     double limit = 0;           ///< largest |z| of a right picture
-    double z = 0;               ///< by how many standard errors `value` goes beyond the margin; 0 within it, < 0: too dark
+    double z = 0;  ///< by how many standard errors `value` goes beyond the margin; 0 within it, < 0: too dark
     bool wrong = false;
 };
 
@@ -54,10 +54,10 @@ struct Examination {
     std::vector<Tile> tiles;
     std::array<Difference, 3> whole{};
     int tiles_wrong = 0;
-    int worst_tile = -1;           ///< the one nearest to, or farthest beyond, its limit
-    std::size_t worst_channel = 0;  ///< there
+    int worst_tile = -1;                  ///< the one nearest to, or farthest beyond, its limit
+    std::size_t worst_channel = 0;        ///< there
     int tile_tests = 0, whole_tests = 0;  ///< each kind shares half of the alarm rate
-    double mean_variance = 0;      ///< over the seeds, mean over pixels and channels
+    double mean_variance = 0;             ///< over the seeds, mean over pixels and channels
     /// Variance of tiles' means times their pixels, over the pixels' variance: 1 when neighbouring pixels have random
     /// numbers of their own, the number of a tile's pixels when they share them.
     double shared_noise = 0;
@@ -73,8 +73,8 @@ struct Examination {
 /// The standard error of a tile has two parts. The pictures': the seeds' tile means have a variance with K - 1 degrees
 /// of freedom, whatever pixels of one picture share. The reference's: the mean of its pixels' errors, not divided by
 /// the root of their number, because each of its frames uses the same random numbers for all pixels, so that
-/// neighbours are wrong together; this is the largest error that they can have together. It comes from many frames and counts
-/// as known exactly; degrees of freedom by Welch and Satterthwaite.
+/// neighbours are wrong together; this is the largest error that they can have together. It comes from many frames and
+/// counts as known exactly; degrees of freedom by Welch and Satterthwaite.
 ///
 /// Where light is rare but bright, all seeds of a tile may have missed it: their spread then says nothing of it. So a
 /// tile is also given the mean variance of the 3 x 3 tiles around it, and whichever of the two allows more counts.

@@ -38,11 +38,15 @@ protected:
         write_atomically(project.scenes() / "9_x" / "soft.pov", sdl);
         write_atomically(project.references() / "9_x" / "soft.exr", "");
         write_reference(project.references() / "9_x" / "soft.exr");
-        const nlohmann::json entry{{"scene", "9_x/soft.pov"}, {"reference", "9_x/soft.exr"}, {"width", kSize.width}, {"height", kSize.height},
-                                   {"method", "mean of 8 frames"}, {"frames", 8}, {"standard_error", 0.001}, {"command", "x"},
-                                   {"sha256", sha256(sdl)}, {"includes", nlohmann::json::object()}, {"sha256_reference", "x"}};
-        write_atomically(project.references() / "manifest.json",
-                         nlohmann::json{{"version", 1}, {"povray", "3.7"}, {"entries", nlohmann::json::array({entry})}}.dump());
+        const nlohmann::json entry{{"scene", "9_x/soft.pov"},      {"reference", "9_x/soft.exr"},
+                                   {"width", kSize.width},         {"height", kSize.height},
+                                   {"method", "mean of 8 frames"}, {"frames", 8},
+                                   {"standard_error", 0.001},      {"command", "x"},
+                                   {"sha256", sha256(sdl)},        {"includes", nlohmann::json::object()},
+                                   {"sha256_reference", "x"}};
+        write_atomically(
+            project.references() / "manifest.json",
+            nlohmann::json{{"version", 1}, {"povray", "3.7"}, {"entries", nlohmann::json::array({entry})}}.dump());
         step.number = 9;
         scene.scene = "9_x/soft.pov";
         scene.points = 10;
@@ -57,7 +61,8 @@ protected:
         OIIO::ImageSpec spec(kSize.width, kSize.height, 6, OIIO::TypeDesc::FLOAT);
         spec.channelnames = {"R", "G", "B", "error.R", "error.G", "error.B"};
         const auto out = OIIO::ImageOutput::create(file.string());
-        ASSERT_TRUE(out && out->open(file.string(), spec) && out->write_image(OIIO::TypeDesc::FLOAT, values.data()) && out->close());
+        ASSERT_TRUE(out && out->open(file.string(), spec) && out->write_image(OIIO::TypeDesc::FLOAT, values.data()) &&
+                    out->close());
     }
 
     fs::path program(const TemporaryFolder& where, const Look& look, std::uint64_t random) const {
@@ -67,9 +72,12 @@ protected:
                 for (float& v : p) v *= look.factor * (1 + look.noise * random_sign(random));
             write_atomically(where.path() / fmt::format("{}.exr", i), exr_bytes(picture));
         }
-        return script(where, fmt::format("while [ $# -gt 0 ]; do case $1 in --seed) seed=$2;; --samples) samples=$2;; esac; shift; done\n"
-                                         "[ \"$samples\" = 16 ] || exit 2\necho $seed >> {0}/seeds\n{1}\ncp {0}/$((seed % 64)).exr picture.exr",
-                                         where.path().string(), look.before));
+        return script(
+            where,
+            fmt::format(
+                "while [ $# -gt 0 ]; do case $1 in --seed) seed=$2;; --samples) samples=$2;; esac; shift; done\n"
+                "[ \"$samples\" = 16 ] || exit 2\necho $seed >> {0}/seeds\n{1}\ncp {0}/$((seed % 64)).exr picture.exr",
+                where.path().string(), look.before));
     }
 
     Check check(const Look& student, const Look& solution = {}) {
@@ -200,7 +208,8 @@ TEST_F(StatisticalCheckTest, ItsResultFollowsTheSchema) {
     Results results;
     results.submission_from = "student";
     results.real = "double";
-    for (const Look& look : {Look{}, Look{1.1f}, Look{std::numeric_limits<float>::quiet_NaN()}, Look{1, 0.05f, "exit 1"}})
+    for (const Look& look :
+         {Look{}, Look{1.1f}, Look{std::numeric_limits<float>::quiet_NaN()}, Look{1, 0.05f, "exit 1"}})
         results.steps.push_back({"9_x", "X", 9, Verdict::pass, 0, 10, {}, {check(look)}});
     nlohmann::json j = nlohmann::json::parse(to_json(results));
     const auto schema = nlohmann::json::parse(read_file(find_project().root / "grader" / "results.schema.json"));

@@ -264,14 +264,16 @@ TEST(Noise, ANoiseThatHidesEverythingIsUnresolved) {
     const VerdictOptions o;
     Examination student = examine(alternating(1, 0.1f), truth_of(1), options());
     EXPECT_TRUE(judge_noise(student, false, noise(student.mean_variance / 10), o).unresolved);
-    EXPECT_FALSE(judge_noise(student, false, noise(student.mean_variance), o).unresolved) << "the solution cannot do better";
+    EXPECT_FALSE(judge_noise(student, false, noise(student.mean_variance), o).unresolved)
+        << "the solution cannot do better";
     student = examine(alternating(1, 0.001f), truth_of(1), options());
     EXPECT_FALSE(judge_noise(student, false, noise(student.mean_variance / 10), o).unresolved);
 }
 
 TEST(Noise, TheKinderOfTwoCounts) {
     const VerdictOptions o;
-    const NoiseVerdict good = judge_noise(noise(1), false, noise(1), o), bad = judge_noise(noise(9), false, noise(1), o);
+    const NoiseVerdict good = judge_noise(noise(1), false, noise(1), o),
+                       bad = judge_noise(noise(9), false, noise(1), o);
     EXPECT_EQ(kinder(bad, good).share, 1);
     EXPECT_EQ(kinder(good, bad).share, 1);
     EXPECT_EQ(kinder(bad, bad).share, 0);

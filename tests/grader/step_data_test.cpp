@@ -11,8 +11,9 @@ namespace {
 
 SceneTask scene_with(const std::string& fields) {
     const TemporaryFolder folder;
-    write_atomically(folder.path() / "5_x" / "step.json",
-                     R"({"number":5,"id":"5_x","title":"X","tasks":[],"scenes":[{"scene":"5_x/a.pov","points":2)" + fields + "}]}");
+    write_atomically(
+        folder.path() / "5_x" / "step.json",
+        R"({"number":5,"id":"5_x","title":"X","tasks":[],"scenes":[{"scene":"5_x/a.pov","points":2)" + fields + "}]}");
     return read_steps(folder.path()).at(0).scenes.at(0);
 }
 

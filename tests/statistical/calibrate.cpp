@@ -48,8 +48,8 @@ void print(const std::vector<Row>& rows) {
     fmt::print("{:<26} {:<36} {:>8} {:>12} {:>9} {:>9} {:>12} {:>16}\n", "noise", "picture", "gradings", "first batch",
                "failed", "at most", "noise points", "noise ratio");
     for (const Row& r : rows) {
-        fmt::print("{:<26} {:<36} {:>8} {:>12} {:>9} {:>9} {:>12}   {:.2f} {:.2f} {:.2f}\n", r.noise, r.bias, r.gradings,
-                   share(r.first_failed, r.gradings), share(r.failed, r.gradings),
+        fmt::print("{:<26} {:<36} {:>8} {:>12} {:>9} {:>9} {:>12}   {:.2f} {:.2f} {:.2f}\n", r.noise, r.bias,
+                   r.gradings, share(r.first_failed, r.gradings), share(r.failed, r.gradings),
                    r.right ? fmt::format("{:.3f} %", 100 * upper_bound(r.failed, r.gradings)) : "",
                    share(r.noise_lost, r.gradings - r.failed), quantile(r.ratios, 0.001), quantile(r.ratios, 0.5),
                    quantile(r.ratios, 0.999));
@@ -60,10 +60,16 @@ void print(const std::vector<Row>& rows) {
 nlohmann::json json_of(const std::vector<Row>& rows, const Settings& s) {
     nlohmann::json list = nlohmann::json::array();
     for (const Row& r : rows)
-        list.push_back({{"noise", r.noise}, {"picture", r.bias}, {"right", r.right}, {"gradings", r.gradings},
-                        {"first_batch_failed", r.first_failed}, {"failed", r.failed},
-                        {"failed_at_most", upper_bound(r.failed, r.gradings)}, {"lost_noise_points", r.noise_lost},
-                        {"noise_ratio", {quantile(r.ratios, 0.001), quantile(r.ratios, 0.5), quantile(r.ratios, 0.999)}}});
+        list.push_back(
+            {{"noise", r.noise},
+             {"picture", r.bias},
+             {"right", r.right},
+             {"gradings", r.gradings},
+             {"first_batch_failed", r.first_failed},
+             {"failed", r.failed},
+             {"failed_at_most", upper_bound(r.failed, r.gradings)},
+             {"lost_noise_points", r.noise_lost},
+             {"noise_ratio", {quantile(r.ratios, 0.001), quantile(r.ratios, 0.5), quantile(r.ratios, 0.999)}}});
     return {{"seeds", s.seeds}, {"samples", s.samples}, {"seed", s.seed}, {"scene", s.scene}, {"rows", list}};
 }
 
@@ -143,8 +149,9 @@ Pictures rendered(const Settings& s) {
     const SceneFiles files = scene_files(s.scene);
     Pictures pictures;
     for (int i = 0; i < s.renders; ++i) {
-        Shot shot = shoot(*sandbox, std::filesystem::absolute(s.program), files, {s.width, s.height}, {},
-                          {"--samples", std::to_string(s.samples), "--seed", std::to_string(s.seed + static_cast<std::uint64_t>(i))});
+        Shot shot = shoot(
+            *sandbox, std::filesystem::absolute(s.program), files, {s.width, s.height}, {},
+            {"--samples", std::to_string(s.samples), "--seed", std::to_string(s.seed + static_cast<std::uint64_t>(i))});
         if (shot.against) throw InputError(shot.against->message);
         pictures.push_back(std::move(shot.picture));
     }
@@ -192,7 +199,8 @@ std::vector<Row> real(const Settings& s) {
     // A grading may need two batches of the student's and two of the solution's.
     const std::size_t most = static_cast<std::size_t>(3 * s.seeds + 2 * s.seeds);
     if (all.size() < most + 24)
-        throw InputError(fmt::format("--renders {}: need {} for the batches and 24 for the reference", s.renders, most));
+        throw InputError(
+            fmt::format("--renders {}: need {} for the batches and 24 for the reference", s.renders, most));
     if (all_equal(all)) throw InputError("all pictures are equal: this scene has no noise, or --seed does nothing");
     Generator random(s.seed);
     std::vector<Row> rows;
@@ -246,7 +254,8 @@ int run(int argc, char** argv) {
     app.add_option("--json", s.json, "write the numbers to this file");
     app.add_option("--program", s.program, "a render program that is right; else the noise is invented");
     app.add_option("--scene", s.scene, "for --program");
-    app.add_option("--renders", s.renders, "pictures of the program, from which batches are drawn")->capture_default_str();
+    app.add_option("--renders", s.renders, "pictures of the program, from which batches are drawn")
+        ->capture_default_str();
     app.add_option("--width", s.width)->capture_default_str();
     app.add_option("--height", s.height)->capture_default_str();
     app.add_flag("--check", s.check, "only what must hold; exit status 1 when it does not");

@@ -61,7 +61,8 @@ RgbImage invented_mean(const Noise& noise) {
     for (int y = 0; y < kInventedRaster.height; ++y) {
         for (int x = 0; x < kInventedRaster.width; ++x) {
             const double u = double(x) / kInventedRaster.width, v = double(y) / kInventedRaster.height;
-            const double light = (u + 0.3 * v < 0.5 ? 0.9 - 0.6 * v : 0.06 + 0.2 * u) * (1 + (noise.firefly - 1) * noise.firefly_rate);
+            const double light =
+                (u + 0.3 * v < 0.5 ? 0.9 - 0.6 * v : 0.06 + 0.2 * u) * (1 + (noise.firefly - 1) * noise.firefly_rate);
             picture.pixels.push_back({float(light), float(0.8 * light), float((0.5 + 0.3 * v) * light)});
         }
     }

@@ -11,21 +11,21 @@ namespace rays::grader {
 /// Of single samples, relative to the pixel's mean.
 struct Noise {
     std::string name;
-    double deviation = 0.5;       ///< of a sample, Gaussian
-    double edge_deviation = 0.5;  ///< in one of ten pixels, on lines across the picture
-    double firefly_rate = 0;      ///< share of the samples ...
-    double firefly = 60;          ///< ... that are so many times as bright
+    double deviation = 0.5;          ///< of a sample, Gaussian
+    double edge_deviation = 0.5;     ///< in one of ten pixels, on lines across the picture
+    double firefly_rate = 0;         ///< share of the samples ...
+    double firefly = 60;             ///< ... that are so many times as bright
     double reference_error = 0.002;  ///< one number for all pixels of the reference, as its frames share theirs
 };
 
 /// What is wrong with a student's picture.
 struct Bias {
     std::string name;
-    double everywhere = 0;        ///< +0.02: 2 % too bright
-    bool one_channel = false;     ///< only in green
-    double blob = 0;              ///< -0.1: 10 % too dark in a square of 16 x 16 pixels ...
-    int blob_x = 40, blob_y = 32; ///< ... from here on
-    double noise = 1;             ///< the standard deviation is so many times as large
+    double everywhere = 0;         ///< +0.02: 2 % too bright
+    bool one_channel = false;      ///< only in green
+    double blob = 0;               ///< -0.1: 10 % too dark in a square of 16 x 16 pixels ...
+    int blob_x = 40, blob_y = 32;  ///< ... from here on
+    double noise = 1;              ///< the standard deviation is so many times as large
 };
 
 class Generator {
