@@ -59,7 +59,7 @@ R.show = (checks, start) => {
     const go = (by) => {
         index = (index + by + checks.length) % checks.length;
         const check = checks[index], scene = R.pictureScene(check);
-        const map = R.hasBoth(check.image) && R.errorMap(scene, check.title);
+        const map = R.hasBoth(check.image) && R.mapOf(scene, check.title);
         const size = {"--ratio": scene.width / scene.height};
         body.replaceChildren(
             R.h("header", {}, R.badge(check.verdict), R.h("div", {}, R.h("h2", {text: check.title}), check.shows && R.h("p", {class: "shows", text: check.shows})), R.h("span", {class: "count", text: `${index + 1} / ${checks.length}`})),
