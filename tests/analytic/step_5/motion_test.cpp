@@ -82,6 +82,13 @@ TEST(MovingLight, ItsShadowsEdgeIsARamp) {
                    [=](double x) { return std::clamp(0.5 + x / (2 * reach), 0.0, 1.0); }, 3e-4);
 }
 
+/// The mean over times from -1/2 to 1/2 by the midpoint rule, to 1e-3 for what rises by 1 at most.
+double mean_over_time(const std::function<double(double)>& f) {
+    double sum = 0;
+    for (int i = 0; i < 200; ++i) sum += f((i + 0.5) / 200 - 0.5) / 200;
+    return sum;
+}
+
 TEST(Motion, AndLensAreIndependent) {
     // An edge that moves and is out of focus: the mean over time of the disc's part beside a line. Were points of the lens
     // tied to times, the edge would be sharper or wider.
@@ -89,7 +96,7 @@ TEST(Motion, AndLensAreIndependent) {
     // On the plane in focus things at this depth move twice as fast.
     expect_profile("camera { location 0 direction z*4 right x*4 up y*0.1 aperture 2 focal_point <0,0,4> }\n"
                    "box { <-99,-99,2>, <0,99,2.0001> translate (Time-0.5)*x" + kGlows + "}\n",
-                   [=](double x) { return mean_over([&](double t) { return part_of_disc((2 * t - x) / blur); }, 0, 1); }, 1e-4, 16);
+                   [=](double x) { return mean_over_time([&](double t) { return part_of_disc((2 * t - x) / blur); }); }, 1e-3, 16);
 }
 
 TEST(MovingDisc, IsExposedForItsChord) {
@@ -117,19 +124,24 @@ TEST(Rotation, KeepsLengthsToTheTablesError) {
                          "box { <0,-0.1,-0.1>, <1,0.1,0.1> rotate 360*Time*z }\n"
                          "sphere { <50,0,0>, 0.1 rotate 1800*Time*y }\n");
     Motion motion(scene);
-    double worst = 0;
-    for (int i = 0; i <= 100000; ++i) {
-        const Real time = Real(i) / 100000;
-        motion.set_time(time);
-        worst = std::max(worst, std::abs(double(glm::length(scene.spheres[0].center)) - 1));
+    double shrinks = 0, far = 0;
+    for (int i = 0; i <= 20000; ++i) {
+        motion.set_time(Real(i) / 20000);
+        const auto off = [](const Vec3& v, double length) { return std::abs(double(glm::length(v)) - length); };
+        shrinks = std::max(shrinks, off(scene.spheres[0].center, 1));
         const Transform& box = scene.transforms[scene.objects[1].transform];
-        for (int axis = 0; axis < 3; ++axis) worst = std::max(worst, std::abs(double(glm::length(box.linear[axis])) - 1));
+        for (int axis = 0; axis < 3; ++axis) shrinks = std::max(shrinks, off(box.linear[axis], 1));
         const Mat3 product = box.linear * box.inverse_linear;
-        for (int axis = 0; axis < 3; ++axis) worst = std::max(worst, std::abs(double(product[axis][axis]) - 1));
-        EXPECT_NEAR(double(glm::length(scene.spheres[1].center)), 50, 50 * 2e-5);
+        for (int axis = 0; axis < 3; ++axis) shrinks = std::max(shrinks, off(product[axis], 1));
+        far = std::max(far, off(scene.spheres[1].center, 50));
     }
-    EXPECT_LT(worst, 2e-5);
-    for (const Varying& table : scene.varying) EXPECT_LE(table.error, 50 * 2e-5) << table.what;
+    EXPECT_LT(shrinks, 2e-5);
+    EXPECT_LT(far, 50 * 1e-4);
+    for (const Varying& table : scene.varying) {
+        const double size = table.what.starts_with("spheres[1]") ? 50 : 1;
+        EXPECT_LE(double(table.error), 1e-4 * size) << table.what;
+        EXPECT_LE(size == 50 ? far : shrinks, double(table.error)) << table.what << " is farther off than it says";
+    }
 }
 
 TEST(Rotation, ASpinningBallMakesARingThatDoesNotShrink) {

@@ -36,9 +36,10 @@ constexpr double kAnything = std::numeric_limits<double>::quiet_NaN();
 /// The error of one estimate: of a pattern's N points for replica number r.
 using Estimator = std::function<double(Pattern, std::uint32_t n, std::uint32_t r)>;
 
-/// The root of the mean square of so many replicas is known to 1 / sqrt(2 replicas) of itself, 1 % for 4096: the fitted slope
-/// to 0.004, of which 0.1 is more than twenty. `from` is the first N that is fitted.
-void expect_slopes(const char* what, const Estimator& error, const Slopes& theory, std::uint32_t replicas = 4096, std::uint32_t from = 4) {
+/// The root of the mean square of so many replicas is known to 1 / sqrt(2 replicas) of itself, 1.6 % for 2048: the fitted slope
+/// to 0.005 at most with five counts, 0.009 with the last three, of which 0.1 is more than ten. `from` is the first N that is fitted.
+void expect_slopes(const char* what, const Estimator& error, const Slopes& theory, std::uint32_t from = 4) {
+    constexpr std::uint32_t replicas = 2048;
     for (std::size_t p = 0; p < kPatterns.size(); ++p) {
         std::vector<std::uint32_t> counts;
         std::vector<double> errors;
@@ -101,7 +102,16 @@ TEST(Slopes, SmoothInAPixel) {
     const double truth = (std::exp(1) - 1) * 2 * (std::exp(0.5) - 1);
     expect_slopes("smooth, 2-D", [=](Pattern pattern, std::uint32_t n, std::uint32_t r) {
         return error_of(pattern, n, r, [](Vec2 u) { return std::exp(double(u.x + u.y / 2)); }, truth);
-    }, {-1, -0.5, -1, -1.5, -1.5}, 2048, 16);
+    }, {-1, -0.5, -1, -1, -1.5}, 64);
+}
+
+TEST(Slopes, SumOfSmoothFunctionsOfOneCoordinate) {
+    // What one in each of N columns and rows is good for. Where the coordinates act together, as above, strips within a cell
+    // are dealt by chance to cells whose slopes differ: multi-jitter is then jitter but for a factor, five here.
+    const double truth = std::exp(1) - 1 + 2 * (std::exp(0.5) - 1);
+    expect_slopes("sum of smooth, 1-D each", [=](Pattern pattern, std::uint32_t n, std::uint32_t r) {
+        return error_of(pattern, n, r, [](Vec2 u) { return std::exp(double(u.x)) + std::exp(double(u.y / 2)); }, truth);
+    }, {-1, -0.5, -1, -1.5, -1.5}, 16);
 }
 
 TEST(Slopes, PenumbraOfASquareLight) {
@@ -131,7 +141,8 @@ TEST(Slopes, PenumbraOfADisc) {
 }
 
 TEST(Slopes, IrradianceOfADisc) {
-    // Smooth on the light; the map from the square has a crease along its diagonals, which is no jump.
+    // Smooth on the light, but the map from the square has a crease along its diagonals: a kink. The cells on it, N^(1 - 1/d),
+    // are each wrong by N^(-1 - 1/d): for a net that is otherwise better N^(-1/2 - 1/d - 1/(2d)), 5/4 in two dimensions.
     Light light;
     light.area = light.circular = true;
     light.axis_u = {2, 0, 0}, light.axis_v = {0, 0, 2};
@@ -149,7 +160,7 @@ TEST(Slopes, IrradianceOfADisc) {
             const Vec3 at = light_at(light, u, 0).location;
             return double(at.y / glm::length(at));
         }, double(truth));
-    }, {-1, -0.5, -1, kAnything, kAnything}, 2048, 16);
+    }, {-1, -0.5, -1, -1, -1.25}, 16);
 }
 
 TEST(Slopes, EdgeThroughALens) {
@@ -187,7 +198,7 @@ TEST(Slopes, SmoothInTime) {
         double sum = 0;
         for (std::uint32_t s = 0; s < n; ++s) sum += std::exp(time_of({}, pattern, n, r, s));
         return sum / n - (std::exp(1) - 1);
-    }, {-2, -0.5, -1.5, -1.5, -1.5}, 2048, 16);
+    }, {-2, -0.5, -1.5, -1.5, -1.5}, 16);
 }
 
 // ---- The same by the renderer: that it keeps what patterns promise, it must give every purpose its own dimension, every
