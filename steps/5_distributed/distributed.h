@@ -60,6 +60,11 @@ Vec2 sobol_point(const Draw& draw);
 /// The pattern's point.
 Vec2 point_of(Pattern pattern, const Draw& draw);
 
+/// For what takes one number, as time does: one in each of `samples` equal strips, in their centres or anywhere. Where a
+/// pattern's points have such an x it is that; of regular and jittered points only the root of `samples` have different
+/// columns: as times these would be as good as N^(-3/4), not 1/N. Given.
+Real number_of(Pattern pattern, const Draw& draw);
+
 // ---- Task 5.5: what points mean --------------------------------------------------------------------------------------
 
 /// From the unit square to the unit disc, equal areas to equal areas (Shirley and Chiu, 1997).

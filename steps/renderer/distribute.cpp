@@ -69,10 +69,18 @@ SampleTracer::SampleTracer(const Distribution& distribution) : distribution_(dis
     if (has_area_lights_) world_->lights = lights_;
 }
 
-Vec2 SampleTracer::point(Purpose purpose, std::uint32_t number) const {
+Draw SampleTracer::draw_for(Purpose purpose, std::uint32_t number) const {
     Draw draw = draw_;
     draw.dimension = dimension_of(purpose, number, static_cast<std::uint32_t>(lights_.size()));
-    return point_of(distribution_.pattern(), draw);
+    return draw;
+}
+
+Vec2 SampleTracer::point(Purpose purpose, std::uint32_t number) const {
+    return point_of(distribution_.pattern(), draw_for(purpose, number));
+}
+
+Real SampleTracer::one_number(Purpose purpose, std::uint32_t number) const {
+    return number_of(distribution_.pattern(), draw_for(purpose, number));
 }
 
 void SampleTracer::tilt(Surface& surface) {
@@ -84,11 +92,11 @@ Radiance SampleTracer::sample(int x, int y, const Draw& draw) {
     const Scene& scene = world_->scene;
     draw_ = draw;
     rough_surfaces_ = 0;
-    if (motion_) motion_->set_time(shutter_time(scene.camera, point(Purpose::time).x));
+    if (motion_) motion_->set_time(shutter_time(scene.camera, one_number(Purpose::time)));
     if (has_area_lights_) {
         for (std::uint32_t i = 0; i < lights_.size(); ++i) {
             const Light& light = scene.lights[i];
-            const Real third = light.area && light.orient ? point(Purpose::ball_light, i).x : 0;
+            const Real third = light.area && light.orient ? one_number(Purpose::ball_light, i) : 0;
             lights_[i] = light.area ? light_at(light, point(Purpose::light, i), third) : light;
         }
     }

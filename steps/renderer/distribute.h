@@ -50,7 +50,9 @@ public:
 
 private:
     void tilt(Surface& surface) override;
+    Draw draw_for(Purpose purpose, std::uint32_t number) const;
     Vec2 point(Purpose purpose, std::uint32_t number = 0) const;
+    Real one_number(Purpose purpose, std::uint32_t number = 0) const;
 
     const Distribution& distribution_;
     std::unique_ptr<Scene> moving_scene_;  ///< null: the scene stands still

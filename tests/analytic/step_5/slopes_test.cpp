@@ -181,7 +181,7 @@ TEST(Slopes, EdgeThroughALens) {
 
 // One dimension: time. An edge -1/2 - 1/2, smooth -1/2 - 1, cells' centres -2 where it is smooth.
 double time_of(const Camera& camera, Pattern pattern, std::uint32_t n, std::uint32_t r, std::uint32_t s) {
-    return double(shutter_time(camera, point_of(pattern, {7, r, dimension_of(Purpose::time, 0, 0), s, n}).x));
+    return double(shutter_time(camera, number_of(pattern, {7, r, dimension_of(Purpose::time, 0, 0), s, n})));
 }
 
 TEST(Slopes, EdgeInTime) {
