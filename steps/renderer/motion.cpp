@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "1_ray_casting/ray_casting.h"
 #include "5_distributed/distributed.h"
+#include "core/unfinished.h"
 #include "renderer/render.h"
 #include "scene_reader/scene_numbers.h"
 
@@ -232,6 +234,33 @@ private:
     std::unique_ptr<Intersector> structure_;
 };
 
+/// Asks everything but meshes that move.
+class AskOthers final : public Intersector {
+public:
+    AskOthers(const Scene& scene, std::vector<std::uint32_t> others) : scene_(scene), others_(std::move(others)) {}
+
+private:
+    std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
+        std::optional<Root> nearest;
+        std::uint32_t object = 0;
+        for (const std::uint32_t i : others_)
+            if (const auto root = intersect(scene_, scene_.objects[i], ray, range)) {
+                range.max = root->t;
+                nearest = root;
+                object = i;
+            }
+        return nearest ? std::optional(complete_hit(scene_, object, ray, *nearest)) : std::nullopt;
+    }
+    bool find_occluder(const Ray& ray, Interval range) const override {
+        return range.min < range.max && std::any_of(others_.begin(), others_.end(), [&](std::uint32_t i) {
+            return !scene_.objects[i].no_shadow && intersect(scene_, scene_.objects[i], ray, range);
+        });
+    }
+
+    const Scene& scene_;
+    std::vector<std::uint32_t> others_;
+};
+
 /// One structure over everything but meshes that move; those are asked one by one.
 class MovingIntersector final : public Intersector {
 public:
@@ -319,8 +348,20 @@ std::unique_ptr<Intersector> make_moving_intersector(Scene& scene, Motion& motio
         }
         object.transform = object.clip = kNone;
     }
-    intersector->structure = make_intersector(scene, partition);
+    // Few things are asked one by one: not their placeholders, but not the faces of moving meshes again either.
+    const bool asks_all = (partition == Partition::automatic ? choose_partition(scene) : partition) == Partition::none;
+    take_unfinished_task();
+    if (!asks_all) intersector->structure = make_intersector(scene, partition);
     for (std::size_t i = 0; i < moving.size(); ++i) scene.objects[moving[i]] = originals[i];
+    if (asks_all) {
+        std::vector<std::uint32_t> others;
+        for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+            const auto at = std::lower_bound(moving.begin(), moving.end(), i);
+            const bool is_moving = at != moving.end() && *at == i;
+            if (!is_moving || scene.objects[i].kind != ShapeKind::mesh) others.push_back(i);
+        }
+        intersector->structure = std::make_unique<AskOthers>(scene, std::move(others));
+    }
     scene.boxes.resize(boxes);
     motion.bind();
     return intersector;
