@@ -48,7 +48,9 @@ TEST(Adaptive, TheErrorAskedForIsReached) {
             EXPECT_LE(found.rms, wanted);
             EXPECT_LE(found.beyond_4, 0.01);
             EXPECT_LT(found.samples, 4096);
-            if (pattern == Pattern::random) EXPECT_GT(found.samples, before);
+            if (pattern == Pattern::random) {
+                EXPECT_GT(found.samples, before);
+            }
             before = found.samples;
         }
         before = 0;
@@ -96,10 +98,16 @@ TEST(Adaptive, SmallFeaturesAreLostAsOftenAsTheFirstSamplesMissThem) {
         const double light = mean_of(adaptive) * 25 / area, all = mean_of(even) * 25 / area;
         fmt::print("{:>8} {:>18.3f} {:>10.3f} {:>10.3f} {:>12.3f}\n", radius, share, expected, light, all);
         // Hoeffding, 576 tries: once in 10^10 farther off than sqrt(ln(2e10) / 2 / 576) = 0.143.
-        if (radius <= 0.1) EXPECT_NEAR(share, expected, 0.143) << radius;
-        if (radius >= 0.3) EXPECT_EQ(lost, 0) << "it holds a whole cell of 1/4 x 1/4, or of 1/16 x 1, or 1/2 x 1/8";
+        if (radius <= 0.1) {
+            EXPECT_NEAR(share, expected, 0.143) << radius;
+        }
+        if (radius >= 0.3) {
+            EXPECT_EQ(lost, 0) << "it holds a whole cell of 1/4 x 1/4, or of 1/16 x 1, or 1/2 x 1/8";
+        }
         // Lost or not, the mean is right: who sees a dot by chance goes on, but with the samples that saw it.
-        if (radius >= 0.3) EXPECT_NEAR(light, 1, 0.03) << radius;
+        if (radius >= 0.3) {
+            EXPECT_NEAR(light, 1, 0.03) << radius;
+        }
     }
 }
 

@@ -192,8 +192,12 @@ TEST(Focus, AtInfinityEverythingBlursByTheLens) {
             for (int y = 0; y < 8; ++y)
                 for (int x = 0; x < 40; ++x) {
                     const double at = ((x + 0.5) / 40 - 0.5) * depth, half = 0.5 / 40 * depth;  // at the edge's depth
-                    if (at + half < -0.1) EXPECT_EQ(film.at(x, y)[0], 1) << at;
-                    if (at - half > 0.1) EXPECT_EQ(film.at(x, y)[0], 0) << at;
+                    if (at + half < -0.1) {
+                        EXPECT_EQ(film.at(x, y)[0], 1) << at;
+                    }
+                    if (at - half > 0.1) {
+                        EXPECT_EQ(film.at(x, y)[0], 0) << at;
+                    }
                     EXPECT_GE(film.at(x, y)[0], 0);
                     EXPECT_LE(film.at(x, y)[0], 1);
                 }
@@ -234,8 +238,12 @@ TEST(Focus, OfAnOrthographicCameraBlursByDepthAlone) {
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 40; ++x) {
             const double at = (x + 0.5) / 20 - 1;
-            if (at + 0.025 < -0.25) EXPECT_EQ(film.at(x, y)[0], 1) << at;
-            if (at - 0.025 > 0.25) EXPECT_EQ(film.at(x, y)[0], 0) << at;
+            if (at + 0.025 < -0.25) {
+                EXPECT_EQ(film.at(x, y)[0], 1) << at;
+            }
+            if (at - 0.025 > 0.25) {
+                EXPECT_EQ(film.at(x, y)[0], 0) << at;
+            }
             if (std::abs(at) < 0.17) {
                 EXPECT_GT(film.at(x, y)[0], 0) << at;
                 EXPECT_LT(film.at(x, y)[0], 1) << at;
