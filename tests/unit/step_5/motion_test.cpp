@@ -50,6 +50,9 @@ const std::vector<Moving>& movings() {
         {"ClippedMesh", sheet("0.3*sin(5*X)", "rotate 90*Time*y clipped_by { sphere { 0, 0.8 } }")},
         {"MeshWhoseClipMoves", sheet("0.3*sin(5*X)", "clipped_by { box { -2, <2*Time-1,2,2> } }")},
         {"SphereWhoseClipMoves", "sphere { <0,0.5,0>, 0.7 clipped_by { plane { x, Time-0.5 } }" + kPaint + "}"},
+        // A shear that grows while the ball falls: from x = 0 to 0 by way of 2.5. The product of two linear functions is none.
+        {"ProductOfTwoMotions", "sphere { <0,1-Time,0>, 0.1 matrix <1,0,0, 10*Time,1,0, 0,0,1, 0,0,0>" + kPaint + "}"
+                                "sphere { <0,2,0>, 0.3" + kPaint + "} box { <-2,-0.2,-1>, <2,-0.1,1>" + kPaint + "}"},
         {"TwoMeshes", sheet("0.2*X", "rotate 90*Time*y") + sheet("0.2*Z+0.3", "translate Time*y no_shadow")},
         {"Mixed", "sphere { <2*Time-1,0.5,0>, 0.3" + kPaint + "} sphere { <0,1,1>, 0.4" + kPaint + "} box { <-1.5,0,0>, <-1,1,0.5>" + kPaint + "}" +
                       sheet("0.2*X", "rotate 90*Time*y translate -0.3*y")},
