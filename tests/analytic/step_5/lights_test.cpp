@@ -17,15 +17,15 @@ constexpr double kPenumbra = kWidth * kEdge / (kLamp - kEdge);
 /// The cosine at the floor is not quite 1: half the lamp's radius over its distance squared, and the floor's own extent.
 constexpr double kSlant = 1e-4;
 
-/// Columns from -1 to 1 penumbra beside the edge's shadow; rows along it.
-Film penumbra(const std::string& light, Pattern pattern, std::uint64_t seed = 0) {
+/// Columns from -1 to 1 penumbra beside the edge's shadow; rows along it. The edge and the eye may be turned below the lamp.
+Film penumbra(const std::string& light, Pattern pattern, double turned = 0) {
     const Scene scene = staged(fmt::format(
-        "camera {{ orthographic location <0,5,0> direction -y right x*{} up z*0.1 }}\n"
+        "camera {{ orthographic location <0,5,0> direction -y right x*{} up z*0.1 rotate {}*y }}\n"
         "light_source {{ <0,{},0>, rgb 1 {} }}\n"
         "plane {{ y, 0 {} }}\n"
-        "box {{ <-999,{},-999>, <0,{},999> }}\n",
-        2 * kPenumbra, kLamp, light, kWhite, kEdge - 1e-3, kEdge));
-    return render(scene, {.raster = {32, 64}, .samples = 256, .pattern = pattern, .seed = seed, .threads = 1});
+        "box {{ <-999,{},-999>, <0,{},999> rotate {}*y }}\n",
+        2 * kPenumbra, turned, kLamp, light, kWhite, kEdge - 1e-3, kEdge, turned));
+    return render(scene, {.raster = {32, 64}, .samples = 256, .pattern = pattern, .threads = 1});
 }
 
 /// Profile as a function of the place in widths of the penumbra, from -1/2 to 1/2.
@@ -59,8 +59,9 @@ TEST(Penumbra, OfADiscIsTheDiscsPartBesideALine) {
 
 TEST(Penumbra, OfABallFromAfarIsADiscsHoweverItsAxesStand) {
     for (const char* axes : {"<20,0,0>, <0,20,0>", "<0,20,0>, <0,0,20>", "<12,16,0>, <0,0,20>"})
-        expect_profile(penumbra(fmt::format("area_light {}, 9, 9 circular orient", axes), Pattern::sobol),
-                       [](double at) { return part_of_disc(2 * at); });
+        for (const double turned : {0.0, 90.0, 30.0})
+            expect_profile(penumbra(fmt::format("area_light {}, 9, 9 circular orient", axes), Pattern::sobol, turned),
+                           [](double at) { return part_of_disc(2 * at); });
 }
 
 TEST(Penumbra, IsAsWideAsTheContractSays) {
