@@ -7,8 +7,9 @@
 namespace rays::grader {
 namespace {
 
-constexpr std::size_t kLongestLine = 4096;
-constexpr std::size_t kMostNumbers = 64;
+// 4096 points with 17 digits a number.
+constexpr std::size_t kMostNumbers = 8192;
+constexpr std::size_t kLongestLine = kMostNumbers * 25;
 
 // All of the words as numbers; false when one is none.
 bool parse_numbers(std::string_view words, std::vector<double>& numbers) {
