@@ -7,8 +7,8 @@
 namespace rays::grader {
 namespace {
 
-// 4096 points with 17 digits a number.
-constexpr std::size_t kMostNumbers = 8192;
+// Thousands of points of a pattern or of a lens, with 17 digits a number.
+constexpr std::size_t kMostNumbers = 16384;
 constexpr std::size_t kLongestLine = kMostNumbers * 25;
 
 // All of the words as numbers; false when one is none.

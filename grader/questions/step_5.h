@@ -75,14 +75,14 @@ int most_in_a_strip(int strips, const std::vector<V2>& points, int axis);
 
 // ---- Maps from the unit square -----------------------------------------------------------------------------------------
 
-/// Asked for the centres of a grid: "grid COLUMNS ROWS W".
+/// Asked for the centres of a grid: "grid COLUMNS ROWS W". An answer has room for 16384 numbers.
 struct Centers {
     int columns, rows;
     L third = 0;
     std::size_t count() const { return std::size_t(columns) * std::size_t(rows); }
     std::string text() const;
 };
-Centers random_centers(Dice& dice);
+Centers random_centers(Dice& dice, int most = 48);
 
 L mean_of(std::size_t count, const std::function<L(std::size_t)>& f);
 /// Equal areas to equal areas, of a shape of this area: most small squares of centres become as large as they have to.

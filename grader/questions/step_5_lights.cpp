@@ -54,7 +54,7 @@ void ask_area(Notebook& book, Dice& dice, const std::string& words, bool spot) {
     AreaLight light = area_light(dice, spot, words);
     const bool orient = words.find("orient") != std::string::npos;
     if (orient) light.v = construct::rounded(glm::length(light.u) * glm::normalize(light.v));
-    const Centers centers = orient ? Centers{64, 64, dice.round_between(0, 0.999)} : random_centers(dice);
+    const Centers centers = orient ? Centers{40, 40, dice.round_between(0, 0.999)} : random_centers(dice, 40);
     const V side = dice.unit();
     const std::string what = orient ? "a ball" : words == "circular" ? "an ellipse" : "a parallelogram";
     book.scene(construct::scene_of(light.text()));

@@ -99,7 +99,7 @@ void ask_horizon(Notebook& book, Dice& dice, L glossy) {
             for (const L degrees : {10.0L, 20.0L, 30.0L, 40.0L}) {
                 const L cosine = std::cos(degrees * construct::kPi / 180), sine = std::sqrt(1 - cosine * cosine);
                 const L truth = 1 - std::pow(cosine, exponent) + std::pow(sine, exponent);
-                claims.within(mean_of(normals.size(), [&](std::size_t i) { return glm::dot(normals[i], n) > cosine ? 1 : 0; }), truth, 0.02L,
+                claims.within(mean_of(normals.size(), [&](std::size_t i) { return glm::dot(normals[i], n) > cosine ? 1 : 0; }), truth, 0.03L,
                               fmt::format("share of tilts below {} degrees", double(degrees)));
             }
         });

@@ -24,7 +24,7 @@ const std::array<const char*, 7> kCorners{"0 0 0", "0.5 0.5 0.5", "0 0.5 0.25", 
 
 void ask_disc(Notebook& book, Dice& dice) {
     for (int i = 0; i < 4; ++i) {
-        const Centers centers = random_centers(dice);
+        const Centers centers = random_centers(dice, 64);
         book.ask("disc " + centers.text(), "a grid's centres fill the disc evenly",
                  points_of_grid(centers, "the unit disc, evenly", [=](const std::vector<V2>& p, Claims& claims) { claim_disc(claims, centers, p); }));
     }
@@ -37,7 +37,7 @@ void ask_disc(Notebook& book, Dice& dice) {
 
 void ask_polygon(Notebook& book, Dice& dice) {
     for (const int corners : {3, 4, 5, 6, 7, 8, dice.whole(9, 16)}) {
-        const Centers centers = corners <= 8 ? random_centers(dice) : Centers{dice.whole(480, 512), 8};
+        const Centers centers{256, dice.whole(8, 16)};  // many columns a side
         book.ask(fmt::format("polygon {} {}", corners, centers.text()), fmt::format("a grid's centres fill a polygon of {} corners evenly", corners),
                  points_of_grid(centers, "the polygon, evenly", [=](const std::vector<V2>& p, Claims& claims) { claim_polygon(claims, centers, p, corners); }));
     }
@@ -140,7 +140,7 @@ Judge filter_of_grid(const Kind& kind, const Centers& centers, std::function<voi
 
 /// Moments of the filter and of where its samples lie, and its weights.
 void ask_moments(Notebook& book, Dice& dice, const Kind& kind) {
-    const Centers centers = random_centers(dice);
+    const Centers centers = random_centers(dice, 64);
     book.ask(fmt::format("filter {} {}", kind.name, centers.text()), fmt::format("moments and weights of the {} filter", kind.name),
              filter_of_grid(kind, centers, [=](const std::vector<Sample>& s, Claims& claims) {
                  const auto mean = [&](const std::function<L(const Sample&)>& f) { return mean_of(s.size(), [&](std::size_t i) { return f(s[i]); }); };
@@ -160,7 +160,7 @@ void ask_moments(Notebook& book, Dice& dice, const Kind& kind) {
 
 /// What the filter makes of an edge at some place: all that lies to one side of it.
 void ask_edge(Notebook& book, Dice& dice, const Kind& kind) {
-    const Centers centers = random_centers(dice);
+    const Centers centers = random_centers(dice, 64);
     const L x = dice.round_between(-0.9 * double(kind.reach), 0.9 * double(kind.reach)), y = dice.round_between(-0.9 * double(kind.reach), 0.9 * double(kind.reach));
     book.ask(fmt::format("filter {} {}", kind.name, centers.text()), fmt::format("an edge at {} seen through the {} filter", number(x), kind.name),
              filter_of_grid(kind, centers, [=](const std::vector<Sample>& s, Claims& claims) {

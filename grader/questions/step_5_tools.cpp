@@ -135,8 +135,8 @@ Judge stratified(int samples, bool strips) {
 
 std::string Centers::text() const { return fmt::format("grid {} {} {}", columns, rows, number(third)); }
 
-Centers random_centers(Dice& dice) {
-    const int columns = dice.whole(48, 64), rows = dice.whole(48, 64);
+Centers random_centers(Dice& dice, int most) {
+    const int columns = dice.whole(most - 8, most), rows = dice.whole(most - 8, most);
     return {columns, rows, dice.round_between(0, 0.999)};
 }
 
@@ -184,8 +184,10 @@ void claim_disc(Claims& claims, const Centers& centers, const std::vector<V2>& p
     // Four standard deviations of as many points without any order would be 0.016: a grid's images are far better.
     claim_centered(claims, {p}, 0.25L, 0.125L, 0.004L);
     claims.within(mean_of(p.size(), [&](std::size_t i) { return glm::dot(p[i], p[i]) * glm::dot(p[i], p[i]); }), 1.0L / 3, 0.006L, "mean of r^4");
+    // Squares that become circles have a row and a column of centres more or less on either side of one.
+    const L edge = 2.2L / std::min(centers.columns, centers.rows);
     for (const L inner : {0.25L, 0.5L, 0.75L})
-        claims.within(mean_of(p.size(), [&](std::size_t i) { return glm::dot(p[i], p[i]) < inner ? 1 : 0; }), inner, 0.03L,
+        claims.within(mean_of(p.size(), [&](std::size_t i) { return glm::dot(p[i], p[i]) < inner ? 1 : 0; }), inner, edge,
                       "share of points within the disc's inner part");
     claim_equal_areas(claims, centers, p, construct::kPi);
 }
@@ -209,7 +211,7 @@ void claim_polygon(Claims& claims, const Centers& centers, const std::vector<V2>
     claims.within(mean_of(out.size(), [&](std::size_t i) { return std::pow(out[i], 4); }), 1.0L / 3, 0.02L, "mean of the fourth power of how far out");
     const L share = static_cast<L>(p.size()) / corners;
     for (const int c : counts) claims.within(c, share, 0.25L * share, "points between the centre and one side");
-    if (corners <= 8 && centers.rows > 32) claim_equal_areas(claims, centers, p, corners * std::sin(2 * half) / 2, 0.75L);
+    if (corners <= 8) claim_equal_areas(claims, centers, p, corners * std::sin(2 * half) / 2, 0.75L);
 }
 
 void claim_square(Claims& claims, const Centers& centers, const std::vector<V2>& p) {
