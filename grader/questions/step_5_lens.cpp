@@ -117,7 +117,7 @@ std::vector<Question> lenses(std::uint64_t seed) {
     Notebook book("5.7");
     const auto ask = [&](const LensCamera& camera, const std::string& about) {
         const FilmPoint film = film_point(dice);
-        const Centers centers = camera.blades > 0 ? Centers{128, dice.whole(10, 16)} : random_centers(dice);
+        const Centers centers = camera.blades > 0 ? Centers{48, 48} : random_centers(dice);
         book.scene(camera.scene());
         book.ask("lens_ray " + film.text() + " " + centers.text(), about, meets_in_focus(camera, film, centers));
     };

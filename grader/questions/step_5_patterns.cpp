@@ -168,6 +168,18 @@ void ask_jitter(Notebook& book, Dice& dice, const std::string& pattern, int samp
     }
 }
 
+/// Where in its strips a point lies: anywhere.
+void ask_strips(Notebook& book, Dice& dice, int samples) {
+    const int strips = grid_for(samples).count();
+    book.ask(points(dice, "multi_jittered", dice.whole(0, samples - 1), samples, "pixel", kSeries), fmt::format("where in its strips a point of {} lies", samples),
+             points_hold(kSeries, "anywhere in its strips", [=](const std::vector<V2>& p, Claims& claims) {
+                 claim_in_square(claims, p);
+                 std::vector<V2> within;
+                 for (const V2& q : p) within.push_back(q * L(strips) - glm::floor(q * L(strips)));
+                 claim_random(claims, within);
+             }));
+}
+
 std::vector<Question> jittered_questions(const std::string& task, const std::string& pattern, std::uint64_t seed, bool strips) {
     Dice dice(seed);
     Notebook book(task);
@@ -181,6 +193,8 @@ std::vector<Question> jittered_questions(const std::string& task, const std::str
     ask_unrelated(book, dice, pattern, 16);
     ask_order(book, dice, pattern);
     ask_jitter(book, dice, pattern, 16);
+    if (strips)
+        for (const int samples : {9, 16}) ask_strips(book, dice, samples);
     ask_repeated(book, dice, pattern, 7);
     return book.take();
 }

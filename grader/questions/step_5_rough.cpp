@@ -105,13 +105,39 @@ void ask_horizon(Notebook& book, Dice& dice, L glossy) {
         });
 }
 
+/// What the contract makes of two numbers, in some frame: a law of its own is known for a few views only.
+V tilted(const Place& place, L exponent, L u, L v) {
+    const L cosine = std::pow(1 - u, 1 / exponent);
+    const V straight = cosine * place.normal, whole = at_angle(place.normal, std::acos(cosine), 2 * construct::kPi * v);
+    const V n = glm::dot(whole, place.viewer) > 0 ? whole : 2.0L * straight - whole;
+    const V mirrored = 2 * glm::dot(n, place.viewer) * n - place.viewer;
+    const L above = glm::dot(mirrored, place.geometric);
+    return above >= 0 ? n : glm::normalize(mirrored - 2 * above * place.geometric + place.viewer);
+}
+
+void claim_means(Claims& claims, const std::vector<V>& normals, const Place& place, L exponent) {
+    constexpr int kSteps = 96;
+    V mean(0);
+    L towards = 0, out = 0;
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const V n = tilted(place, exponent, (i % kSteps + 0.5L) / kSteps, (i / kSteps + 0.5L) / kSteps) / L(kSteps * kSteps);
+        mean += n;
+        towards += glm::dot(n, place.viewer) * glm::dot(n, place.viewer) * L(kSteps * kSteps);
+        out += glm::dot(n, place.geometric) * glm::dot(n, place.geometric) * L(kSteps * kSteps);
+    }
+    const auto found = [&](const std::function<L(const V&)>& f) { return mean_of(normals.size(), [&](std::size_t i) { return f(normals[i]); }); };
+    for (int a = 0; a < 3; ++a) claims.within(found([&](const V& n) { return n[a]; }), mean[a], 0.03L, fmt::format("mean of the normals' {}", "xyz"[a]));
+    claims.within(found([&](const V& n) { return glm::dot(n, place.viewer) * glm::dot(n, place.viewer); }), towards, 0.03L, "mean square of the cosine to the viewer");
+    claims.within(found([&](const V& n) { return glm::dot(n, place.geometric) * glm::dot(n, place.geometric); }), out, 0.03L, "mean square of the cosine to the true normal");
+}
+
 /// From the side, where many a tilt turns away: it is taken to the other side, and all others are as they were.
 void ask_side(Notebook& book, Dice& dice, L glossy, L view_angle) {
     const V n = construct::rounded(dice.unit()), geometric = construct::rounded(at_angle(n, dice.between(0, 0.2), dice.between(0, 6.28)));
     const V viewer = construct::rounded(at_angle(geometric, view_angle, dice.between(0, 6.28)));
     if (!(glm::dot(n, viewer) > 0)) return ask_side(book, dice, glossy, view_angle);
     ask(book, dice, glossy, {n, geometric, viewer}, fmt::format("glossy {}, seen from {:.0f} degrees", number(glossy), double(view_angle * 180 / construct::kPi)),
-        [](const Table&, Claims&) {});
+        [=](const Table& t, Claims& claims) { claim_means(claims, normals_in(t), {n, geometric, viewer}, 1 / glossy + 2); });
 }
 
 }  // namespace

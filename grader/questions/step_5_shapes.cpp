@@ -37,7 +37,7 @@ void ask_disc(Notebook& book, Dice& dice) {
 
 void ask_polygon(Notebook& book, Dice& dice) {
     for (const int corners : {3, 4, 5, 6, 7, 8, dice.whole(9, 16)}) {
-        const Centers centers{256, dice.whole(8, 16)};  // many columns a side
+        const Centers centers{64, 64, dice.round_between(0, 0.999)};  // as many columns to every side, or one more
         book.ask(fmt::format("polygon {} {}", corners, centers.text()), fmt::format("a grid's centres fill a polygon of {} corners evenly", corners),
                  points_of_grid(centers, "the polygon, evenly", [=](const std::vector<V2>& p, Claims& claims) { claim_polygon(claims, centers, p, corners); }));
     }
