@@ -54,8 +54,11 @@ bool comparable(const Answer& a) {
 std::string shortened(const Answer& a) {
     if (is_no_answer(a)) return kNoAnswer;
     if (a.kind != Answer::Kind::value) return "miss";
+    // Of thousands of points the first few tell whose they are.
+    constexpr std::size_t kMany = 64, kOfMany = 8;
+    const std::size_t count = a.numbers.size() > kMany ? kOfMany : a.numbers.size();
     std::string text;
-    for (const double v : a.numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", v);
+    for (std::size_t i = 0; i < count; ++i) text += fmt::format("{}{:.6g}", i ? " " : "", a.numbers[i]);
     return text;
 }
 
