@@ -12,9 +12,11 @@ namespace {
 const std::string kScene = construct::scene_of("");
 
 /// "points PATTERN SEED PIXEL DIMENSION SAMPLE SAMPLES ALONG COUNT ALONG COUNT" of a draw of dice.
+/// `dimension`: below 0, any.
 std::string points(Dice& dice, const std::string& pattern, int sample, int samples, const std::string& along, int count,
-                   const std::string& then = "nothing", int then_count = 1) {
-    const int seed = dice.whole(0, 1000000000), pixel = dice.whole(0, 1000000), dimension = dice.whole(0, 60);
+                   const std::string& then = "nothing", int then_count = 1, int dimension = -1) {
+    const int seed = dice.whole(0, 1000000000), pixel = dice.whole(0, 1000000);
+    if (dimension < 0) dimension = dice.whole(0, 60);
     return fmt::format("points {} {} {} {} {} {} {} {} {} {}", pattern, seed, pixel, dimension, sample, samples, along, count, then, then_count);
 }
 
@@ -208,14 +210,41 @@ std::vector<Question> multi_jittered(std::uint64_t seed) { return jittered_quest
 
 namespace {
 
-/// Of 2^k points every box of 2^-a by 2^-(k - a) holds one.
+/// Of 2^k points every box of 2^-a by 2^-(k - a) holds one, in an even dimension.
 void ask_every_box(Notebook& book, Dice& dice, int k) {
-    const int samples = 1 << k;
-    book.ask(points(dice, "sobol", 0, samples + dice.whole(0, 3), "sample", samples), fmt::format("the first {} points: one in every box of that area", samples),
+    const int samples = 1 << k, dimension = 2 * dice.whole(0, 30);
+    book.ask(points(dice, "sobol", 0, samples + dice.whole(0, 3), "sample", samples, "nothing", 1, dimension), fmt::format("the first {} points: one in every box of that area", samples),
              points_hold(samples, "one in every box", [=](const std::vector<V2>& p, Claims& claims) {
                  claim_in_square(claims, p);
                  for (int a = 0; a <= k; ++a)
                      claims.holds(most_in_a_cell({1 << a, 1 << (k - a)}, p) == 1, fmt::format("one point in each of {} x {} boxes", 1 << a, 1 << (k - a)));
+             }));
+}
+
+/// In an odd one: one in every strip.
+void ask_every_strip(Notebook& book, Dice& dice, int k) {
+    const int samples = 1 << k, dimension = 2 * dice.whole(0, 30) + 1;
+    book.ask(points(dice, "sobol", 0, samples, "sample", samples, "nothing", 1, dimension), fmt::format("the first {} points of an odd dimension: one in every strip", samples),
+             points_hold(samples, "one in every strip", [=](const std::vector<V2>& p, Claims& claims) {
+                 claim_in_square(claims, p);
+                 for (const int axis : {0, 1}) claims.holds(most_in_a_strip(samples, p, axis) == 1, fmt::format("one point in each of {} strips", samples));
+             }));
+}
+
+/// Two neighbouring dimensions are four of one sequence: of 2^7 first points each sixteenth of the four-dimensional cube holds
+/// eight (Sobol's first four dimensions have t = 3).
+void ask_four_dimensions(Notebook& book, Dice& dice) {
+    constexpr int kSamples = 128;
+    book.ask(points(dice, "sobol", 0, kSamples, "sample", kSamples, "dimension", 2, 2 * dice.whole(0, 30)),
+             "dimensions 2k and 2k + 1 of the first 128 points: eight in each sixteenth of four dimensions",
+             points_hold(2 * kSamples, "eight points in each sixteenth of four dimensions", [](const std::vector<V2>& p, Claims& claims) {
+                 claim_in_square(claims, p);
+                 int counts[16] = {};
+                 for (std::size_t i = 0; i < kSamples; ++i) {
+                     const V2 &one = p[i], &other = p[kSamples + i];
+                     ++counts[(one.x < 0.5L) + 2 * (one.y < 0.5L) + 4 * (other.x < 0.5L) + 8 * (other.y < 0.5L)];
+                 }
+                 for (const int count : counts) claims.holds(count == 8, fmt::format("8 points in a sixteenth, not {}", count));
              }));
 }
 
@@ -266,6 +295,8 @@ std::vector<Question> sobol(std::uint64_t seed) {
     Notebook book("5.4");
     book.scene(kScene);
     for (int k = 0; k <= 11; ++k) ask_every_box(book, dice, k);
+    for (int k = 1; k <= 11; k += 2) ask_every_strip(book, dice, k);
+    for (int i = 0; i < 3; ++i) ask_four_dimensions(book, dice);
     for (int i = 0; i < 3; ++i) ask_progressive(book, dice);
     ask_unrelated(book, dice, "sobol", 1);
     ask_unrelated(book, dice, "sobol", 50);

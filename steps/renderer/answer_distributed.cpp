@@ -187,11 +187,11 @@ std::string enough(const Stage&, Words& words) {
     return text(is_enough(own, around, wanted));
 }
 
-/// Of pixel, lens, time, then of every light and its ball, then of so many rough surfaces.
+/// In a scene with a lens: of pixel, lens, time, then of every light and its ball, then of so many rough surfaces.
 std::string dimensions(const Stage&, Words& words) {
     const auto lights = words.whole<std::uint32_t>(0, 1024), surfaces = words.whole<std::uint32_t>(0, 1024);
     Line line;
-    const auto add = [&](Purpose purpose, std::uint32_t number) { line.add(fmt::format("{}", dimension_of(purpose, number, lights))); };
+    const auto add = [&](Purpose purpose, std::uint32_t number) { line.add(fmt::format("{}", dimension_of(purpose, number, {.lens = true, .lights = lights}))); };
     for (const Purpose p : {Purpose::pixel, Purpose::lens, Purpose::time}) add(p, 0);
     for (std::uint32_t i = 0; i < lights; ++i) add(Purpose::light, i), add(Purpose::ball_light, i);
     for (std::uint32_t i = 0; i < surfaces; ++i) add(Purpose::rough_surface, i);
