@@ -47,7 +47,7 @@ public:
         for (int i = 0; i < seeds; ++i) {
             const std::uint64_t seed = seed_of(bench_.seed, scene_.scene, series, i);
             std::vector<std::string> options = options_of(scene_.partition);
-            for (const std::string& o : {std::string("--samples"), std::to_string(scene_.samples),
+            for (const std::string& o : {std::string("--pattern"), std::string("sobol"), std::string("--samples"), std::to_string(scene_.samples),
                                          std::string("--seed"), std::to_string(seed)})
                 options.push_back(o);
             Shot shot = shoot(bench_.sandbox, program, files_, raster_, bench_.limits, options);
