@@ -91,7 +91,7 @@ double slope_of(const std::vector<Point>& points, const std::vector<int>& sample
 /// All pictures of an effect, each made once.
 struct Made {
     std::vector<Series> by_time, by_samples;
-    Point worst;  ///< POV-Ray's time over ours at the same error, where POV-Ray is best
+    std::vector<Point> at_errors;  ///< POV-Ray's time over ours at the same error
 };
 
 class Effects {
@@ -192,21 +192,23 @@ private:
         return series;
     }
 
-    /// Of all points of POV-Ray, the one where we are least ahead: our time at its error, between points of our Sobol series.
+    /// At some errors: the quickest of POV-Ray's points that reach it, and our time for what that point reached.
     static void compare(const Effect& effect, Made& made) {
         const Series& ours = made.by_time.front();
-        double least = INFINITY;
-        for (const Series& series : made.by_time) {
-            if (series.role != "povray") continue;
-            for (const Point& p : series.points) {
-                const double mine = time_at(ours, p.y);
-                if (!(mine > 0) || p.x.median / mine >= least) continue;
-                least = p.x.median / mine;
-                made.worst = {.x = {p.x.median / mine, p.x.low / mine, p.x.high / mine},
-                              .label = effect.title,
-                              .settings = fmt::format("error {:.2g} of the picture: POV-Ray {:.3g} s ({}), Raysteps {:.3g} s of processor time",
-                                                      p.y, p.x.median, p.settings, mine)};
+        for (const double error : {0.03, 0.02, 0.01}) {
+            const Point* best = nullptr;
+            for (const Series& series : made.by_time) {
+                if (series.role != "povray") continue;
+                for (const Point& p : series.points)
+                    if (p.y <= error && (!best || p.x.median < best->x.median)) best = &p;
             }
+            if (!best) continue;
+            const double mine = time_at(ours, best->y);
+            if (!(mine > 0)) continue;
+            made.at_errors.push_back({.x = {best->x.median / mine, best->x.low / mine, best->x.high / mine},
+                                      .label = fmt::format("{}, error {}", effect.title, error),
+                                      .settings = fmt::format("POV-Ray reaches {:.2g} in {:.3g} s ({}), Raysteps in {:.3g} s of processor time",
+                                                              best->y, best->x.median, best->settings, mine)});
         }
     }
     /// Negative where the series does not reach.
@@ -279,14 +281,15 @@ Chart to_reach_an_error(Laboratory& laboratory) {
     Series ratios{.name = "Raysteps", .role = "solution"};
     for (const Effect& effect : effects()) {
         const Made& made = effects_of(laboratory).of(effect);
-        if (made.worst.x.median > 0) ratios.points.push_back(made.worst);
+        ratios.points.insert(ratios.points.end(), made.at_errors.begin(), made.at_errors.end());
     }
     return {.id = "5.povray",
             .step = 5,
             .kind = ChartKind::ratios,
             .title = "To reach the same error",
-            .text = "POV-Ray's processor time over ours (Sobol points) for the same error, for whichever of POV-Ray's methods and settings on the charts "
-                    "above we are least ahead of.",
+            .text = "POV-Ray's processor time over ours (Sobol points) for errors of 0.03, 0.02 and 0.01 of the picture's RMS: the quickest of its "
+                    "methods and settings on the charts above that reaches them, and our time for the error that it reached. Whole processes of "
+                    "96 x 72 pixels: where both are quick, it is their starts that are compared.",
             .x = {"POV-Ray's time / ours", "", true},
             .series = {ratios},
             .rounds = laboratory.long_rounds()};
