@@ -32,6 +32,7 @@ constexpr double kUnique = 0.002;
 // Written so that two NaN agree: a mutant that answers NaN is recognised by it.
 bool same(double a, double b) {
     if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+    if (std::isinf(a) || std::isinf(b)) return a == b;
     return a == b || std::abs(a - b) <= kSame * std::max({1e-3, std::abs(a), std::abs(b)});
 }
 

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "references/averaged.h"
 #include "grader/checks.h"
+#include "grader/fresh_scenes.h"
 #include "grader/picture_parts.h"
 #include "grader/statistical_words.h"
 
@@ -212,7 +213,7 @@ void judge(const Sitting& s, Check& check) {
     }
     check.verdict = Verdict::pass;
     check.points = check.max;
-    if (check.mode == "isolated") judge_noise_of(s, bias, check);
+    if (check.mode == "isolated" && check.kind == "statistical") judge_noise_of(s, bias, check);
 }
 
 Check checked(const Bench& bench, const SceneTask& scene, const fs::path& program, const std::string& mode) {
@@ -237,7 +238,77 @@ Check checked(const Bench& bench, const SceneTask& scene, const fs::path& progra
     return check;
 }
 
+// The mean of the solution's pictures, good to what the spread of its seeds says.
+AveragedReference truth_by_solution(const Pictures& pictures) {
+    AveragedReference truth{mean_of(pictures), mean_of(pictures)};
+    const double n = double(pictures.size());
+    for (std::size_t i = 0; i < truth.mean.pixels.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            double squares = 0;
+            for (const RgbImage& picture : pictures) squares += std::pow(double(picture.pixels[i][c]) - double(truth.mean.pixels[i][c]), 2);
+            truth.error.pixels[i][c] = static_cast<float>(std::sqrt(squares / (n * (n - 1))));
+        }
+    return truth;
+}
+
+/// One fresh scene; `place` as for fresh_check.
+Check noisy_fresh_scene(const Bench& bench, const Task& task, int place, std::string& sdl) {
+    constexpr int kSamples = 16, kSeeds = 8, kSamplesOfTruth = 64;
+    const Raster raster{kFreshWidth, kFreshHeight};
+    Check check = new_check(task.id + ".fresh", task.id, "fresh", task.title + ": fresh scenes", 1);
+    check.image.emplace().scene = fmt::format("fresh scene {} of task {}", place + 1, task.id);
+    sdl = fresh_scene(task.id, seed_of_fresh_scene(bench.seed, place, 0))->sdl;
+    const SceneFiles files{{"fresh.pov", sdl}};
+    SceneTask scene, finer;
+    scene.scene = finer.scene = check.image->scene;
+    scene.samples = kSamples, finer.samples = kSamplesOfTruth;
+    scene.seeds = finer.seeds = kSeeds;
+    Photographer student(bench, scene, files, raster), solution(bench, finer, files, raster);
+    const Pictures pictures = solution.take(bench.solution, Series::solution, kSeeds);
+    if (pictures.empty()) {
+        check.verdict = Verdict::infrastructure_error;
+        check.message = "the solution cannot render a fresh scene" + (solution.against() ? ": " + solution.against()->message : "");
+        return check;
+    }
+    check.image->width = raster.width;
+    check.image->height = raster.height;
+    const AveragedReference truth = truth_by_solution(pictures);
+    judge({bench, scene, bench.student, truth, VerdictOptions{}, student, solution}, check);
+    check.image->reference = check.image->solution = kept_picture(bench, check.id + ".solution", truth.mean);
+    check.seconds = student.seconds();
+    return check;
+}
+
 }  // namespace
+
+Check noisy_fresh_check(const Bench& bench, const Task& task, double max) {
+    Check check = new_check(task.id + ".fresh", task.id, "fresh", task.title + ": fresh scenes", max);
+    int right = 0;
+    for (int i = 0; i < kFreshScenesPerTask; ++i) {
+        std::string sdl;
+        Check one = noisy_fresh_scene(bench, task, i, sdl);
+        check.seconds += one.seconds;
+        right += one.verdict == Verdict::pass;
+        if (one.verdict == Verdict::infrastructure_error) {
+            check.verdict = one.verdict;
+            check.message = one.message;
+            return check;
+        }
+        if (one.verdict == Verdict::pass || check.image) continue;
+        check.verdict = one.verdict;
+        check.message = "; " + one.message;
+        check.diagnosis = std::move(one.diagnosis);
+        check.image = std::move(one.image);
+        check.questions.push_back({"the scene", "", sdl, "the solution's picture, but for noise", "another picture", false});
+    }
+    check.message = fmt::format("{} of {} fresh scenes equal to the solution's, but for noise", right, kFreshScenesPerTask) + check.message;
+    check.points = max * right / kFreshScenesPerTask;
+    if (right == kFreshScenesPerTask)
+        check.verdict = Verdict::pass;
+    else if (right > 0 && check.verdict == Verdict::fail)
+        check.verdict = Verdict::partial;
+    return check;
+}
 
 Check statistical_check(const Bench& bench, const SceneTask& scene) {
     return checked(bench, scene, bench.student, "isolated");

@@ -195,8 +195,10 @@ void write_whole(const std::string& text, const fs::path& file) {
 }  // namespace
 
 void write_report(const fs::path& results_json, const fs::path& html) {
-    const report::PageParts parts = report::read_parts(RAYSTEPS_REPORT_FOLDER);
+    report::PageParts parts = report::read_parts(RAYSTEPS_REPORT_FOLDER);
     json results = shortened(read_results(results_json));
+    // The gallery is for lecturers: a student's page is the student's.
+    if (results.value("/submission/from"_json_pointer, "") != "solution") parts.heroes.clear();
     std::string page;
     for (const Compared compared : kCompared) {
         page = page_with(parts, results, results_json.parent_path(), compared);

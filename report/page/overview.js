@@ -35,6 +35,18 @@ R.hero = () => {
             R.bar(step.raw.points, step.raw.max, step.title)))));
 };
 
+// The solutions' page shows what each step is for.
+R.heroes = () => {
+    const words = ["Ray casting", "Light and shadow", "Mirrors and glass", "Eighty thousand spheres", "Lens, lamps, motion"];
+    const pictures = [...document.getElementById("heroes").querySelectorAll("img")];
+    if (pictures.length === 0) return null;
+    return R.h("section", {class: "heroes", "aria-label": "A picture for each step"}, ...pictures.map((img) => {
+        const step = Number(img.dataset.step), text = `Step ${step}: ${words[step - 1] ?? ""}`;
+        img.alt = text;
+        return R.h("figure", {}, img, R.h("figcaption", {text}));
+    }));
+};
+
 R.galleryWall = () => {
     const checks = R.gallery();
     if (checks.length === 0) return null;
