@@ -11,6 +11,8 @@
 namespace rays::grader {
 namespace {
 
+/// All answers of step 5 together are some 20 MB of points.
+constexpr int kMostText_mb = 64;
 constexpr int kMostLosses = 4;
 // Where several tasks are asked at once none may use up all of them: what crashes in every scene of one task may well
 // answer the small questions of the next.
@@ -41,6 +43,7 @@ Run run_once(const Sandbox& sandbox, const std::filesystem::path& program,
     job.arguments = {"--answer"};
     job.input = question_text(questions);
     job.limits = limits;
+    job.limits.text_mb = std::max(limits.text_mb, kMostText_mb);
     run.ended = sandbox.run(job).ended;
     const auto lines = lines_of(run.ended.out);
     run.surplus = lines.size() > questions.size();

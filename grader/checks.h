@@ -41,8 +41,15 @@ Check image_check(const Bench& bench, const SceneTask& scene);
 /// The same scene with all steps the student's: no points, but where yours do not work together it shows.
 Check all_mine_check(const Bench& bench, const SceneTask& scene, const std::filesystem::path& all_mine);
 
+/// A noisy scene: its mean over seeds against an averaged reference, its noise against the solution's.
+Check statistical_check(const Bench& bench, const SceneTask& scene);
+/// The same with all steps the student's, without the noise.
+Check statistical_all_mine_check(const Bench& bench, const SceneTask& scene, const std::filesystem::path& all_mine);
+
 /// Fresh scenes of a task, the student's pictures against the solution's.
 Check fresh_check(const Bench& bench, const Task& task, double max);
+/// The same where pictures are noisy: the student's mean over seeds against the solution's.
+Check noisy_fresh_check(const Bench& bench, const Task& task, double max);
 bool has_fresh_scenes(const std::string& task);
 
 }  // namespace rays::grader

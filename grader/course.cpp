@@ -12,6 +12,8 @@ std::vector<Question> questions_of(int step, std::uint64_t seed) {
             return questions_3_recursion(seed);
         case 4:
             return questions_4_partitioning(seed);
+        case 5:
+            return questions_5_distributed(seed);
         default:
             return {};
     }
@@ -27,6 +29,8 @@ std::vector<Sweep> sweeps_of(int step, std::uint64_t seed) {
             return sweeps_3_recursion(seed);
         case 4:
             return sweeps_4_partitioning(seed);
+        case 5:
+            return sweeps_5_distributed(seed);
         default:
             return {};
     }

@@ -32,6 +32,7 @@ constexpr double kUnique = 0.002;
 // Written so that two NaN agree: a mutant that answers NaN is recognised by it.
 bool same(double a, double b) {
     if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+    if (std::isinf(a) || std::isinf(b)) return a == b;
     return a == b || std::abs(a - b) <= kSame * std::max({1e-3, std::abs(a), std::abs(b)});
 }
 
@@ -54,8 +55,11 @@ bool comparable(const Answer& a) {
 std::string shortened(const Answer& a) {
     if (is_no_answer(a)) return kNoAnswer;
     if (a.kind != Answer::Kind::value) return "miss";
+    // Of thousands of points the first few tell whose they are.
+    constexpr std::size_t kMany = 64, kOfMany = 8;
+    const std::size_t count = a.numbers.size() > kMany ? kOfMany : a.numbers.size();
     std::string text;
-    for (const double v : a.numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", v);
+    for (std::size_t i = 0; i < count; ++i) text += fmt::format("{}{:.6g}", i ? " " : "", a.numbers[i]);
     return text;
 }
 

@@ -66,5 +66,7 @@ using Recipes = std::map<std::string, Recipe>;  ///< by task
 void add_recursion(Recipes& recipes);
 /// And of step 4.
 void add_partitioning(Recipes& recipes);
+/// And of step 5: their pictures are noisy.
+void add_distributed(Recipes& recipes);
 
 }  // namespace rays::grader::fresh

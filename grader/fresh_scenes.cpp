@@ -224,6 +224,7 @@ const Recipes& recipes() {
     };
         add_recursion(all);
         add_partitioning(all);
+        add_distributed(all);
         return all;
     }();
     return table;
@@ -246,6 +247,8 @@ std::optional<FreshScene> fresh_scene(const std::string& task, std::uint64_t see
     FreshScene scene;
     View view = camera(dice);
     if (task == "1.2") view.sdl = orthographic(dice, view);
+    if (task == "5.7")
+        view.sdl.replace(view.sdl.rfind('}'), 1, fmt::format("aperture {} focal_point {} }}", dice.between(0.4, 1.6), text(dice.place(1))));
     scene.sdl = "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\nbackground { rgb <0.1, 0.15, 0.25> }\n" +
                 view.sdl + recipe->second.lamps(dice) + recipe->second.things(dice);
     for (int i = 0; i < kProbes; ++i) {

@@ -9,6 +9,7 @@
 #include "grader/answers.h"
 #include "grader/cost_maps.h"
 #include "grader/course.h"
+#include "grader/fresh_scenes.h"
 #include "grader/student_build.h"
 #include "grader/verdicts.h"
 #include "references/in_parallel.h"
@@ -31,7 +32,7 @@ std::vector<CheckMaker> task_checks(const StepOrder& order, const Task& task, co
     const Bench& bench = order.bench;
     std::vector<CheckMaker> makers;
     if (unit) makers.push_back([&, shares] { return std::vector{unit_check(bench, task, questions, shares.unit)}; });
-    if (fresh) makers.push_back([&, shares] { return std::vector{fresh_check(bench, task, shares.fresh)}; });
+    if (fresh) makers.push_back([&, shares] { return std::vector{has_noisy_fresh_scenes(task.id) ? noisy_fresh_check(bench, task, shares.fresh) : fresh_check(bench, task, shares.fresh)}; });
     for (const Sweep& sweep : sweeps) {
         if (!is_its(sweep)) continue;
         makers.push_back([&, shares] {
@@ -53,13 +54,14 @@ Check copied_as_all_mine(Check check) {
 
 // Where the step alone is wrong already, its picture among the student's other steps says nothing new.
 std::vector<Check> picture_checks(const StepOrder& order, const SceneTask& scene) {
-    std::vector<Check> checks{image_check(order.bench, scene)};
+    std::vector<Check> checks{scene.statistical() ? statistical_check(order.bench, scene) : image_check(order.bench, scene)};
     if (checks.front().verdict != Verdict::pass || order.all_mine.empty()) return checks;
     if (order.all_mine == order.bench.student) {
         checks.push_back(copied_as_all_mine(checks.front()));
         return checks;
     }
-    checks.push_back(all_mine_check(order.bench, scene, order.all_mine));
+    checks.push_back(scene.statistical() ? statistical_all_mine_check(order.bench, scene, order.all_mine)
+                                         : all_mine_check(order.bench, scene, order.all_mine));
     if (wrong(checks.back()))
         checks.back().message += "; with the solution's other steps it is right: another step of yours plays a part";
     return checks;
@@ -96,7 +98,8 @@ std::vector<Check> build_error_checks(const Step& step, const std::string& messa
     for (const Task& t : step.tasks) checks.push_back(not_built(t.id + ".unit", t.id, "unit", t.points, message));
     for (const SceneTask& s : step.scenes)
         checks.push_back(not_built(fmt::format("{}.picture.{}", step.number, fs::path(s.scene).stem().string()),
-                                   s.tasks.empty() ? "" : s.tasks.front(), "image", s.points, message));
+                                   s.tasks.empty() ? "" : s.tasks.front(), s.statistical() ? "statistical" : "image", s.points,
+                                   message));
     return checks;
 }
 
@@ -112,7 +115,9 @@ void withhold_unconfirmed_pictures(const Step& step, std::vector<Check>& checks)
             right += its && (c.verdict == Verdict::pass || c.verdict == Verdict::partial);
         }
         for (Check& c : checks) {
-            if (c.kind != "image" || c.mode != "isolated" || c.verdict != Verdict::pass ||
+            // A noisy picture may be right and yet too noisy: it has points, too.
+            const bool earns = c.verdict == Verdict::pass || (c.kind == "statistical" && c.verdict == Verdict::partial);
+            if (!is_picture(c) || c.mode != "isolated" || !earns ||
                 c.image->scene != scene.scene || asked.empty() || right > 0)
                 continue;
             c.points = 0;
@@ -184,7 +189,7 @@ TaskResult task_result(const StepOrder& order, const Task& task, const std::vect
     std::vector<Verdict> verdicts;
     bool helped = false;
     for (const Check& c : checks) {
-        if (c.task != task.id || c.kind == "image") continue;
+        if (c.task != task.id || is_picture(c)) continue;
         verdicts.push_back(c.verdict);
         result.points += c.points;
         helped = helped || wrong(c) || c.verdict == Verdict::crash || c.verdict == Verdict::time_out;
@@ -204,7 +209,8 @@ std::string picture_command(const Check& c, int step) {
     const ImageResult& image = *c.image;
     const std::string view = fmt::format("--width {} --height {} --from {}", image.width, image.height,
                                          c.mode == "isolated" ? fmt::format("student-{}", step) : "student") +
-                             (image.partition.empty() ? "" : " --partition " + image.partition);
+                             (image.partition.empty() ? "" : " --partition " + image.partition) +
+                             (c.statistics ? fmt::format(" --samples {} --seed 1", c.statistics->samples) : "");
     std::string text = fmt::format("./rays render scenes/{} -o picture.png {}", image.scene, view);
     if (image.beyond_rounding > 0)
         text +=
@@ -214,7 +220,7 @@ std::string picture_command(const Check& c, int step) {
 
 void add_reproduce(const StepOrder& order, std::vector<Check>& checks) {
     for (Check& c : checks)
-        c.reproduce = c.kind == "image" && c.image
+        c.reproduce = is_picture(c) && c.image
                           ? picture_command(c, order.bench.step.number)
                           : fmt::format("./rays grade {} --seed {}", order.bench.step.number, order.bench.seed);
 }

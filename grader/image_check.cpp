@@ -8,12 +8,9 @@
 #include "grader/compare.h"
 #include "grader/explain_picture.h"
 #include "grader/fresh_scenes.h"
+#include "grader/picture_parts.h"
 #include "grader/ray_trees.h"
-#include "grader/shoot.h"
 #include "grader/text.h"
-#include "references/manifest.h"
-#include "support/files.h"
-#include "support/sha256.h"
 
 namespace rays::grader {
 namespace {
@@ -21,14 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kShownTree = 6000;
-
-std::string stem(const std::string& scene) { return fs::path(scene).stem().string(); }
-
-std::string kept(const Bench& bench, const std::string& name, const std::string& exr) {
-    if (bench.out.empty() || exr.empty()) return {};
-    write_atomically(bench.out / "images" / (name + ".exr"), exr);
-    return "images/" + name + ".exr";
-}
 
 void fill(ImageResult& image, const Comparison& c, const Reference& truth, const RgbImage& picture,
           const Tolerance& tolerance) {
@@ -45,18 +34,6 @@ void fill(ImageResult& image, const Comparison& c, const Reference& truth, const
     image.worst_y = c.worst_y;
     image.worst_student = picture.at(c.worst_x, c.worst_y);
     image.worst_reference = truth.frame.at(c.worst_x, c.worst_y);
-}
-
-std::string unfinished_text(const std::vector<UnfinishedPlace>& places) {
-    std::string text;
-    for (std::size_t i = 0; i < std::min<std::size_t>(places.size(), 4); ++i)
-        text += fmt::format("{}{} ({}:{})", i ? ", " : "", places[i].task, places[i].file, places[i].line);
-    return text + (places.size() > 4 ? ", ..." : "");
-}
-
-std::vector<std::string> options_of(const std::string& partition) {
-    if (partition.empty()) return {};
-    return {"--partition", partition};
 }
 
 /// One picture held against the truth, with everything that explains it.
@@ -114,50 +91,18 @@ void judge(const Viewing& v, const Shot& shot, Check& check) {
     }
 }
 
-struct Target {
-    SceneFiles files;
-    Reference truth;
-    fs::path reference;
-};
-
-// Throws InputError when scene and reference do not belong together: nobody's mistake but the course's.
-Target target_of(const Bench& bench, const SceneTask& scene) {
-    static const Manifest manifest = load_manifest(bench.project.references() / "manifest.json");
-    const ManifestEntry* entry = manifest.find(scene.scene);
-    if (!entry)
-        throw InputError(fmt::format("{} has no reference: run ./rays references {}", scene.scene, stem(scene.scene)));
-    Target target;
-    target.files = scene_files(bench.project.scenes() / scene.scene);
-    if (sha256(target.files.front().bytes) != entry->sha256)
-        throw InputError(fmt::format("{} has changed since its reference was made: run ./rays references {}",
-                                     scene.scene, stem(scene.scene)));
-    if (entry->averaged())
-        throw InputError(fmt::format("{} is referenced by a mean, which an exact comparison cannot use", scene.scene));
-    target.reference = bench.project.references() / entry->reference;
-    target.truth = load_reference(target.reference);
-    return target;
-}
-
 Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& program, const std::string& mode) {
-    Check check;
-    const bool isolated = mode == "isolated";
-    check.id = fmt::format("{}.picture.{}{}", bench.step.number, stem(scene.scene), isolated ? "" : ".all_mine");
-    check.task = scene.tasks.empty() ? std::string() : scene.tasks.front();
-    check.kind = "image";
-    check.mode = mode;
-    check.title = scene.shows.empty() ? stem(scene.scene) : scene.shows;
-    check.max = isolated ? scene.points : 0;
-    check.image.emplace().scene = scene.scene;
-    check.image->partition = scene.partition;
+    Check check = new_picture_check(bench, scene, "image", mode);
     try {
-        const Target target = target_of(bench, scene);
-        const Shot shot = shoot(bench.sandbox, program, target.files, target.truth.raster(), bench.limits,
-                                options_of(scene.partition));
-        check.image->student = kept(bench, check.id, shot.exr);
-        if (!bench.out.empty()) check.image->reference = fs::relative(target.reference, bench.out).string();
-        check.image->width = target.truth.raster().width;
-        check.image->height = target.truth.raster().height;
-        judge({bench, program, target.files, target.truth, kReferenceTolerance}, shot, check);
+        const ReferenceFiles files = reference_files(bench, scene.scene, false);
+        const Reference truth = load_reference(files.reference);
+        const Shot shot =
+            shoot(bench.sandbox, program, files.scene, truth.raster(), bench.limits, options_of(scene.partition));
+        check.image->student = kept_picture(bench, check.id, shot.exr);
+        if (!bench.out.empty()) check.image->reference = fs::relative(files.reference, bench.out).string();
+        check.image->width = truth.raster().width;
+        check.image->height = truth.raster().height;
+        judge({bench, program, files.scene, truth, kReferenceTolerance}, shot, check);
     } catch (const InputError& e) {
         check.verdict = Verdict::infrastructure_error;
         check.message = e.what();
@@ -234,8 +179,8 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
         check.message = "; " + one.message;
         check.diagnosis = one.diagnosis;
         check.image = one.image;
-        check.image->student = kept(bench, check.id, shot.exr);
-        check.image->reference = check.image->solution = kept(bench, check.id + ".solution", truth.exr);
+        check.image->student = kept_picture(bench, check.id, shot.exr);
+        check.image->reference = check.image->solution = kept_picture(bench, check.id + ".solution", truth.exr);
         check.questions.push_back({"the scene", "", truth.sdl, "the solution's picture", "another picture", false});
     }
     check.message =

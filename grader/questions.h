@@ -53,9 +53,11 @@ std::vector<Question> questions_1_ray_casting(std::uint64_t seed);
 std::vector<Question> questions_2_phong(std::uint64_t seed);
 std::vector<Question> questions_3_recursion(std::uint64_t seed);
 std::vector<Question> questions_4_partitioning(std::uint64_t seed);
+std::vector<Question> questions_5_distributed(std::uint64_t seed);
 std::vector<Sweep> sweeps_1_ray_casting(std::uint64_t seed);
 std::vector<Sweep> sweeps_2_phong(std::uint64_t seed);
 std::vector<Sweep> sweeps_3_recursion(std::uint64_t seed);
 std::vector<Sweep> sweeps_4_partitioning(std::uint64_t seed);
+std::vector<Sweep> sweeps_5_distributed(std::uint64_t seed);
 
 }  // namespace rays::grader

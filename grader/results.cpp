@@ -33,6 +33,9 @@ double rounded(double points) { return std::round(points * 1000) / 1000; }
 Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
 Json color(const Rgb& c) { return Json::array({number(c[0]), number(c[1]), number(c[2])}); }
 
+template <class T>
+Json list(const std::vector<T>& items);
+
 Json json_of(const Diagnosis& d) {
     Json j{{"kind", d.kind}, {"text", d.text}};
     if (!d.mutant.empty()) j["mutant"] = d.mutant;
@@ -69,6 +72,28 @@ Json json_of(const ImageResult& i) {
     return j;
 }
 
+Json json_of(const ChannelDifference& d) {
+    return {{"channel", d.channel}, {"difference", number(d.difference)}, {"reference", number(d.reference)},
+            {"margin", number(d.margin)}, {"standard_error", number(d.standard_error)}, {"z", number(d.z)},
+            {"limit", number(d.limit)}, {"wrong", d.wrong}};
+}
+
+Json json_of(const StatisticsResult& s) {
+    Json j{{"samples", s.samples}, {"seeds", s.seeds}, {"batches", s.batches}, {"alarm_rate", s.alarm_rate},
+           {"not_finite", s.not_finite}, {"tiles", s.tiles}, {"tiles_wrong", s.tiles_wrong},
+           {"tile_margin", s.tile_margin}, {"whole_margin", s.whole_margin}};
+    if (s.worst) {
+        j["worst"] = {{"x", s.worst->x}, {"y", s.worst->y}, {"width", s.worst->width}, {"height", s.worst->height}};
+        j["worst"].update(json_of(s.worst->difference));
+    }
+    j["whole"] = list(s.whole);
+    j["noise"] = {{"variance", number(s.variance)}, {"full", s.noise_full}, {"none", s.noise_none}};
+    if (s.solution_variance) j["noise"]["solution"] = number(*s.solution_variance);
+    if (s.noise_ratio) j["noise"]["ratio"] = number(*s.noise_ratio);
+    if (!s.z_picture.empty()) j["z_picture"] = s.z_picture;
+    return j;
+}
+
 Json json_of(const Chart& c) {
     Json series = Json::array();
     for (const ChartSeries& s : c.series) {
@@ -79,9 +104,6 @@ Json json_of(const Chart& c) {
     return {{"title", c.title}, {"x_label", c.x_label},     {"y_label", c.y_label}, {"log_x", c.log_x},
             {"log_y", c.log_y}, {"pass_from", c.pass_from}, {"pass_to", c.pass_to}, {"series", series}};
 }
-
-template <class T>
-Json list(const std::vector<T>& items);
 
 Json json_of(const Check& c) {
     Json j{{"id", c.id},
@@ -99,6 +121,7 @@ Json json_of(const Check& c) {
     if (!c.questions.empty()) j["questions"] = list(c.questions);
     if (c.image) j["image"] = json_of(*c.image);
     if (c.chart) j["chart"] = json_of(*c.chart);
+    if (c.statistics) j["statistics"] = json_of(*c.statistics);
     return j;
 }
 

@@ -45,6 +45,34 @@ struct ImageResult {
     std::optional<RayTrees> trees;
 };
 
+/// Of the mean over seeds to the reference, in one channel.
+struct ChannelDifference {
+    std::string channel;  ///< "R", "G" or "B"
+    double difference = 0, reference = 0, margin = 0, standard_error = 0;
+    double z = 0, limit = 0;  ///< standard errors beyond the margin, and how many a right picture may have
+    bool wrong = false;
+};
+
+struct WorstTile {
+    int x = 0, y = 0, width = 0, height = 0;
+    ChannelDifference difference;
+};
+
+/// How a noisy picture was judged: the numbers of the last batch.
+struct StatisticsResult {
+    int samples = 0, seeds = 0, batches = 1;
+    int not_finite = 0;  ///< pixels of all pictures; then there are no differences
+    int tiles = 0, tiles_wrong = 0;
+    double alarm_rate = 0;  ///< of all batches together
+    double tile_margin = 0, whole_margin = 0;
+    std::optional<WorstTile> worst{};
+    std::vector<ChannelDifference> whole{};  ///< of the whole picture, by channel
+    double variance = 0;                     ///< over the seeds, mean over pixels and channels
+    std::optional<double> solution_variance{}, noise_ratio{};  ///< absent: the noise was not compared
+    double noise_full = 0, noise_none = 0;
+    std::string z_picture{};  ///< EXR: every pixel has its tile's z; relative to the folder of results.json
+};
+
 struct ChartSeries {
     std::string name;
     std::string role;                                              ///< "solution", "student" or "naive"
@@ -61,7 +89,7 @@ struct Chart {
 struct Check {
     std::string id;                 ///< "1.3.unit", "1.picture.one_sphere", "1.3.fresh", "1.3.distance"
     std::string task;               ///< the task it belongs to
-    std::string kind;               ///< "unit", "image", "fresh", "stability", "demonstration" or "report"
+    std::string kind;               ///< "unit", "image", "statistical", "fresh", "stability", "demonstration" or "report"
     std::string mode = "isolated";  ///< or "all mine"
     std::string title;
     Verdict verdict = Verdict::fail;
@@ -74,7 +102,11 @@ struct Check {
     std::vector<AskedQuestion> questions;
     std::optional<ImageResult> image;
     std::optional<Chart> chart;
+    std::optional<StatisticsResult> statistics{};  ///< of kind "statistical"
 };
+
+/// Pictures held against their references: they have points of their own, beside those of tasks.
+inline bool is_picture(const Check& check) { return check.kind == "image" || check.kind == "statistical"; }
 
 /// A check that has found nothing yet.
 Check new_check(std::string id, std::string task, std::string kind, std::string title, double max);

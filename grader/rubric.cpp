@@ -26,7 +26,7 @@ void add_step(Sum& sum, const RubricRow& row, const Step& step, const StepResult
         sum.max += t.max;
     }
     for (const Check& c : result.checks) {
-        if (c.kind != "image" || !counts(row, step, c.task)) continue;
+        if (!is_picture(c) || !counts(row, step, c.task)) continue;
         sum.points += c.points;
         sum.max += c.max;
     }

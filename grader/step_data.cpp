@@ -35,6 +35,27 @@ Task task_of(const json& j, const Step& step) {
     return task;
 }
 
+/// "samples": 16, "seeds": 8, "noise": [1.75, 2.5]; the last may be left out.
+void read_noise(const json& j, SceneTask& scene) {
+    const auto refuse = [&](const std::string& what) { throw InputError(fmt::format("scene {}: {}", scene.scene, what)); };
+    if (!j.contains("samples") || !j.contains("seeds"))
+        refuse("a noisy scene needs both \"samples\" and \"seeds\"; one without noise needs neither");
+    if (!j.at("samples").is_number_integer() || !j.at("seeds").is_number_integer())
+        refuse("\"samples\" and \"seeds\" are whole numbers");
+    scene.samples = j.at("samples");
+    scene.seeds = j.at("seeds");
+    if (scene.samples < 1 || scene.samples > 4096) refuse(fmt::format("\"samples\" is {}: need 1 to 4096", scene.samples));
+    if (scene.seeds < 8 || scene.seeds > 64) refuse(fmt::format("\"seeds\" is {}: need 8 to 64, for fewer say little of their spread", scene.seeds));
+    if (!j.contains("noise")) return;
+    const json& noise = j.at("noise");
+    if (!noise.is_array() || noise.size() != 2 || !noise[0].is_number() || !noise[1].is_number())
+        refuse("\"noise\" is two numbers: up to which ratio of variances it is well, and from which it earns nothing");
+    scene.noise_full = noise[0];
+    scene.noise_none = noise[1];
+    if (!(scene.noise_full >= 1 && scene.noise_full < scene.noise_none))
+        refuse(fmt::format("\"noise\" is [{}, {}]: need 1 <= first < second", scene.noise_full, scene.noise_none));
+}
+
 SceneTask scene_of(const json& j, const Step& step) {
     SceneTask scene;
     scene.scene = j.at("scene");
@@ -42,6 +63,7 @@ SceneTask scene_of(const json& j, const Step& step) {
     scene.points = j.at("points");
     scene.shows = j.value("shows", "");
     scene.partition = j.value("partition", step.partition);
+    if (j.contains("samples") || j.contains("seeds") || j.contains("noise")) read_noise(j, scene);
     return scene;
 }
 
@@ -74,7 +96,13 @@ Step step_of(const fs::path& folder) {
     step.folder = folder;
     step.partition = j.value("partition", "");
     for (const json& t : j.at("tasks")) step.tasks.push_back(task_of(t, step));
-    for (const json& s : j.at("scenes")) step.scenes.push_back(scene_of(s, step));
+    for (const json& s : j.at("scenes")) {
+        try {
+            step.scenes.push_back(scene_of(s, step));
+        } catch (const InputError& e) {
+            throw InputError(fmt::format("{}/step.json: {}", folder.string(), e.what()));
+        }
+    }
     if (j.contains("cost_maps"))
         for (const json& c : j.at("cost_maps")) step.cost_maps.push_back({c.at("scene"), c.at("structures")});
     if (j.contains("speed"))

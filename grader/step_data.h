@@ -23,6 +23,12 @@ struct SceneTask {
     double points = 0;
     std::string shows;
     std::string partition;  ///< with which structure it is rendered: "grid"; empty: as the program chooses
+    // A noisy scene is judged statistically.
+    int samples = 0;  ///< a pixel; 0: the scene has no noise, its picture is exact
+    int seeds = 0;    ///< of the first batch
+    double noise_full = 1.75, noise_none = 2.5;  ///< variance over the solution's: full points up to, none from
+
+    bool statistical() const { return samples > 0; }
 };
 
 /// A scene of which maps are drawn of what every pixel costs.

@@ -43,7 +43,7 @@ std::string wrong_checks(const StepResult& step, const std::filesystem::path& ou
     for (const Check& c : step.checks) {
         // A task that is partly right says what its rest waits for.
         const bool waits = c.verdict == Verdict::not_started;
-        const bool asked_for = waits && c.kind != "image" && begun.count(c.task) != 0;
+        const bool asked_for = waits && !is_picture(c) && begun.count(c.task) != 0;
         not_started += waits && !asked_for;
         if (asked_for) text += check_lines(c, out, false);
         if (c.verdict != Verdict::pass && !waits) text += check_lines(c, out, told.insert(c.task).second);
@@ -61,7 +61,7 @@ std::string step_text(const StepResult& step, const std::filesystem::path& out) 
     double earned = 0, max = 0;
     int passed = 0, pictures = 0;
     for (const Check& c : step.checks) {
-        if (c.kind != "image" || c.mode != "isolated") continue;
+        if (!is_picture(c) || c.mode != "isolated") continue;
         earned += c.points;
         max += c.max;
         passed += c.verdict == Verdict::pass;

@@ -20,10 +20,12 @@ const char* const kStyles[] = {"base.css",  "layout.css", "checks.css", "picture
                                "costs.css", "charts.css", "print.css"};
 // In this order: each builds on those before it.
 const char* const kScripts[] = {"dom.js",         "words.js",        "data.js",    "colors.js", "bits.js",
-                                "foretelling.js", "pixels.js",       "picture.js", "viewer.js", "axes.js",
+                                "foretelling.js", "pixels.js",       "picture.js", "viewer.js", "statistics.js", "axes.js",
                                 "chart.js",       "marks.js",        "scatter.js", "ratios.js", "student_points.js",
                                 "speed.js",       "tree_picture.js", "trees.js",   "check.js",  "costs.js",
                                 "cells.js",       "overview.js",     "steps.js",   "theme.js",  "main.js"};
+
+constexpr int kSteps = 8;
 
 std::string read_text(const fs::path& file, const std::string& what_next) {
     std::ifstream in(file, std::ios::binary);
@@ -130,6 +132,12 @@ PageParts read_parts(const fs::path& folder) {
     check_inlinable(style, folder / "page");
     check_inlinable(script, folder / "page");
     parts.html = read_text(folder / "page/template.html", sources);
+    for (int step = 1; step <= kSteps; ++step) {
+        const fs::path file = folder / fmt::format("gallery/small/step_{}.jpg", step);
+        if (!fs::exists(file)) continue;
+        const std::string bytes = read_text(file, sources);
+        parts.heroes += fmt::format("<img data-step=\"{}\" alt=\"\" src=\"data:image/jpeg;base64,{}\">", step, base64(Bytes(bytes.begin(), bytes.end())));
+    }
     parts.notices = "img-comparison-slider\n\n" + read_text(folder / "licenses/img-comparison-slider.txt", sources) +
                     "\n\nuPlot\n\n" + read_text(packages / "uplot/LICENSE", install);
     return parts;
@@ -145,6 +153,7 @@ std::string assemble(const PageParts& parts, const std::string& results, const s
     return filled(parts.html, {{"csp", policy},
                                {"styles", elements("style", parts.styles)},
                                {"notices", escaped(parts.notices)},
+                               {"heroes", parts.heroes},
                                {"results", base91(deflate(results))},
                                {"pixels", pixels},
                                {"scripts", elements("script", parts.scripts) +

@@ -195,4 +195,16 @@ void PictureStore::embed_costs(json& map, std::size_t room) {
     }
 }
 
+void PictureStore::embed_z(json& statistics, std::size_t room) {
+    statistics["embedded"] = nullptr;
+    statistics.erase("note");
+    const std::string file = text_of(statistics, "z_picture");
+    if (file.empty()) return;
+    try {
+        statistics["embedded"] = embed_student(read_picture(folder_ / file).frame, nullptr, {}, Need::look, room);
+    } catch (const std::exception& e) {
+        statistics["note"] = e.what();
+    }
+}
+
 }  // namespace rays::report

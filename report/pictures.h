@@ -54,6 +54,9 @@ public:
     /// why if there should be one.
     void embed_costs(nlohmann::json& map, std::size_t room);
 
+    /// The same for results.json's `statistics`: its picture of z.
+    void embed_z(nlohmann::json& statistics, std::size_t room);
+
     struct Blob {
         std::string id, text;
     };

@@ -155,13 +155,17 @@ std::string page_with(const report::PageParts& parts, json results, const fs::pa
     const std::size_t fixed = report::assemble(parts, report::for_script(results), {}).size();
     report::PictureStore store(folder);
     const auto images = images_by_need(results, compared);
-    std::size_t cost_maps = 0;
-    for_each_cost_map(results, [&](json&) { ++cost_maps; });
+    std::size_t maps = 0;  // of costs and of z
+    for_each_cost_map(results, [&](json&) { ++maps; });
+    for_each_check(results, [&](json& check) { maps += check.contains("statistics"); });
     // A blob's description and its element take less than this beside its bytes; so do the notes of a picture.
-    const std::size_t beside = fixed + 600 * (images.size() + cost_maps) + 2000;
+    const std::size_t beside = fixed + 600 * (images.size() + maps) + 2000;
     const std::size_t budget = kMaxPage - std::min(kMaxPage, beside);
     const auto room = [&] { return last_resort ? budget - std::min(budget, store.bytes()) : kMaxPage * 8; };
     for (const auto& [image, need] : images) store.embed(*image, need, room());
+    for_each_check(results, [&](json& check) {
+        if (check.contains("statistics") && check["statistics"].is_object()) store.embed_z(check["statistics"], room());
+    });
     // No points depend on these: they come last.
     for_each_cost_map(results, [&](json& map) { store.embed_costs(map, room()); });
     return report::assemble(parts, report::for_script(results), store.blobs());
@@ -191,8 +195,10 @@ void write_whole(const std::string& text, const fs::path& file) {
 }  // namespace
 
 void write_report(const fs::path& results_json, const fs::path& html) {
-    const report::PageParts parts = report::read_parts(RAYSTEPS_REPORT_FOLDER);
+    report::PageParts parts = report::read_parts(RAYSTEPS_REPORT_FOLDER);
     json results = shortened(read_results(results_json));
+    // The gallery is for lecturers: a student's page is the student's.
+    if (results.value("/submission/from"_json_pointer, "") != "solution") parts.heroes.clear();
     std::string page;
     for (const Compared compared : kCompared) {
         page = page_with(parts, results, results_json.parent_path(), compared);

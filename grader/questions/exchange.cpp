@@ -7,8 +7,9 @@
 namespace rays::grader {
 namespace {
 
-constexpr std::size_t kLongestLine = 4096;
-constexpr std::size_t kMostNumbers = 64;
+// Thousands of points of a pattern or of a lens, with 17 digits a number.
+constexpr std::size_t kMostNumbers = 16384;
+constexpr std::size_t kLongestLine = kMostNumbers * 25;
 
 // All of the words as numbers; false when one is none.
 bool parse_numbers(std::string_view words, std::vector<double>& numbers) {

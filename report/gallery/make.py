@@ -15,3 +15,5 @@ for step in [int(word) for word in sys.argv[2:]] or SAMPLES:
     width, height = SIZE.get(step, (960, 540))
     words = [render, scenes / f"step_{step}.pov", "-o", here / f"step_{step}.png", "--width", width, "--height", height]
     subprocess.run([str(w) for w in [*words, "--samples", SAMPLES[step]]], check=True)
+    # For the page of the solutions.
+    subprocess.run(["oiiotool", str(here / f"step_{step}.png"), "--resize", "480x270", "--compression", "jpeg:72", "-o", str(here / "small" / f"step_{step}.jpg")], check=True)

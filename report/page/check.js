@@ -11,7 +11,7 @@ R.checkArticle = (step, check) => {
         if (more.hasChildNodes()) return;
         if (check.image?.embedded?.student) {
             left.append(R.h("div", {class: "look"}, R.pictureControls(scene), R.inspector(scene)));
-            if (R.hasBoth(check.image)) views.append(R.errorMap(scene, check.title));
+            if (R.hasBoth(check.image)) views.append(R.mapOf(scene, check.title));
         }
         more.append(...R.checkDetails(check).filter(Boolean));
     };
@@ -20,7 +20,7 @@ R.checkArticle = (step, check) => {
     const words = [R.text(raw.message) && R.h("p", {class: "message", text: R.text(raw.message)}), urgent && R.diagnosis(raw)];
     const shown = [scene && R.printedPair(scene, check.title), views, check.shows && R.h("p", {class: "shows", text: check.shows}), check.chart && !check.image && R.chart(check.chart, check.title)];
     // What went wrong is read before it is looked at; what went well is looked at.
-    article.append(...[R.checkHead(step, check, button), ...(!urgent ? [...shown, ...words] : [...words, ...shown]), scene && R.pictureFacts(check.image), more].filter(Boolean));
+    article.append(...[R.checkHead(step, check, button), ...(!urgent ? [...shown, ...words] : [...words, ...shown]), scene && R.pictureFacts(check.image, scene), more].filter(Boolean));
     return article;
 };
 
@@ -51,11 +51,11 @@ R.expanders = [];
 /** Unfolded from the start; what is merely not started can wait. */
 R.isUrgent = (check) => check.tone === "bad" || check.tone === "mixed";
 
-R.pictureFacts = (image) => {
+R.pictureFacts = (image, scene) => {
     const notes = R.list(image.embedded?.notes).map((note) => R.h("p", {class: "note", text: R.text(note)}));
     if (!R.wasCompared(image)) return R.h("div", {class: "facts"}, ...notes);
     const share = R.isNumber(image.beyond_rounding) && R.isNumber(image.pixels) && image.pixels > 0 ? ` (${R.number(100 * image.beyond_rounding / image.pixels, 2)} %)` : "";
-    const facts = [["pixels beyond rounding", R.isNumber(image.beyond_rounding) ? `${image.beyond_rounding}${share}` : null],
+    const facts = scene.statistics ? R.statisticsFacts(scene) : [["pixels beyond rounding", R.isNumber(image.beyond_rounding) ? `${image.beyond_rounding}${share}` : null],
                    ["of these on silhouettes", R.isNumber(image.on_silhouettes) ? String(image.on_silhouettes) : null],
                    ["largest error", "max_error" in image ? R.number(image.max_error) : null],
                    ["RMSE", "rmse" in image ? R.number(image.rmse) : null],

@@ -59,9 +59,16 @@ R.colors = (() => {
     /** The colour of a count on the logarithmic scale from 1 to `top`. */
     const cost = (count, top) => (count > 0 ? costTable[Math.min(255, Math.max(0, Math.floor(256 * Math.log(count) / Math.log(top))))] : NO_COST);
 
+    // Departures either way: blue for too dark, orange for too bright, and between them a grey that recedes into the page.
+    const rgbOf = (point) => linear(...point).map((v) => Math.round(255 * encode(v)));
+    const ends = {light: [lch(0.4, 0.15, 262), lch(0.92, 0.004, 90), lch(0.55, 0.17, 42)], dark: [lch(0.78, 0.13, 245), lch(0.27, 0.008, 260), lch(0.8, 0.14, 65)]};
+    const steps = Object.fromEntries(Object.entries(ends).map(([name, [low, middle, high]]) => [name, Array.from({length: 129}, (_, i) => rgbOf(i < 64 ? mix(middle, low, (64 - i) / 64) : mix(middle, high, (i - 64) / 64)))]));
+    /** t from -1 to 1, 0 in the middle. */
+    const diverging = (t, dark) => steps[dark ? "dark" : "light"][Math.round(64 + 64 * Math.min(1, Math.max(-1, t)))];
+
     // Linear radiance to a byte: 4096 steps are finer than a display's 256 even in the shadows, where encode() is steepest.
     const bytes = Uint8Array.from({length: 4097}, (_, i) => Math.round(255 * encode(i / 4096)));
     const toByte = (value, gain) => (value !== value ? 0 : bytes[Math.round(4096 * Math.min(1, Math.max(0, value * gain)))]);
 
-    return {lab, table, position, at, index, costLab, costTable, cost, toByte, DECADES_BELOW, DECADES_ABOVE};
+    return {lab, table, position, at, index, costLab, costTable, cost, diverging, toByte, DECADES_BELOW, DECADES_ABOVE};
 })();

@@ -26,7 +26,7 @@ R.sceneName = (path) => R.text(path).split("/").pop().replace(/\.pov$/, "").repl
 /** A picture is called as its scene; what the check calls itself then says what the scene shows. */
 R.names = (check) => {
     const title = R.text(check.title) || R.text(check.id);
-    const scene = check.kind === "image" ? R.sceneName(R.object(check.image).scene) : "";
+    const scene = ["image", "statistical"].includes(check.kind) ? R.sceneName(R.object(check.image).scene) : "";
     if (!scene) return {title, shows: ""};
     return {title: scene[0].toUpperCase() + scene.slice(1), shows: title.toLowerCase() === scene.toLowerCase() ? "" : title};
 };

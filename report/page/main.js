@@ -4,7 +4,7 @@
     const graded = R.steps.length > 0 || !R.hasSpeed;
     document.title = graded ? `Raysteps report: ${R.points(R.object(R.results.score).points)} of ${R.points(R.object(R.results.score).max)} points` : "Raysteps: speed against accuracy";
     document.getElementById("rail").append(...R.rail());
-    document.getElementById("main").append(...(graded ? [R.hero(), R.galleryWall(), R.rubric(), ...R.steps.map(R.stepSection), R.speed(),
+    document.getElementById("main").append(...(graded ? [R.hero(), R.heroes(), R.galleryWall(), R.rubric(), ...R.steps.map(R.stepSection), R.speed(),
         R.h("p", {class: "nothing-failed", text: R.needAttention.length ? "" : "Nothing failed: there is nothing to show under this filter."}), R.colophon()] : [R.speed({heading: "h1"}), R.colophon()]).filter(Boolean));
     R.preparePrint();
     Promise.all(R.pending).then(() => (document.documentElement.dataset.ready = "true"));

@@ -35,6 +35,18 @@ R.hero = () => {
             R.bar(step.raw.points, step.raw.max, step.title)))));
 };
 
+// The solutions' page shows what each step is for.
+R.heroes = () => {
+    const words = ["Ray casting", "Light and shadow", "Mirrors and glass", "Eighty thousand spheres", "Lens, lamps, motion"];
+    const pictures = [...document.getElementById("heroes").querySelectorAll("img")];
+    if (pictures.length === 0) return null;
+    return R.h("section", {class: "heroes", "aria-label": "A picture for each step"}, ...pictures.map((img) => {
+        const step = Number(img.dataset.step), text = `Step ${step}: ${words[step - 1] ?? ""}`;
+        img.alt = text;
+        return R.h("figure", {}, img, R.h("figcaption", {text}));
+    }));
+};
+
 R.galleryWall = () => {
     const checks = R.gallery();
     if (checks.length === 0) return null;
@@ -59,7 +71,7 @@ R.show = (checks, start) => {
     const go = (by) => {
         index = (index + by + checks.length) % checks.length;
         const check = checks[index], scene = R.pictureScene(check);
-        const map = R.hasBoth(check.image) && R.errorMap(scene, check.title);
+        const map = R.hasBoth(check.image) && R.mapOf(scene, check.title);
         const size = {"--ratio": scene.width / scene.height};
         body.replaceChildren(
             R.h("header", {}, R.badge(check.verdict), R.h("div", {}, R.h("h2", {text: check.title}), check.shows && R.h("p", {class: "shows", text: check.shows})), R.h("span", {class: "count", text: `${index + 1} / ${checks.length}`})),

@@ -27,8 +27,15 @@ R.pictureScene = (check) => {
         scene.change({student, reference, comparable: Boolean(sameSize)});
     });
     R.pending.push(scene.ready);
+    R.addStatistics(scene, check);
     return scene;
 };
+/** The map beside the pictures: of single pixels' errors, or, where pixels are noise, of the tiles' z. */
+R.mapOf = (scene, title) => (R.hasZ(scene) ? R.zMap(scene, title) : R.errorMap(scene, title));
+R.hasZ = (scene) => Boolean(scene.statistics && R.text(scene.statistics.raw.z_picture));
+/** Whose picture stands on the left. */
+R.ownName = (scene) => (scene.statistics && R.isNumber(scene.statistics.raw.seeds) ? `${R.who}, mean of ${scene.statistics.raw.seeds}` : R.who);
+
 R.pending = [];  // what has to be decoded before the page is whole
 
 /** Largest difference of a pixel's three channels in units of what is allowed; NaN when one is not a number. On which
@@ -123,7 +130,7 @@ R.comparison = (scene, title) => {
         slider.value = Math.min(100, Math.max(0, to));
         announce();
     });
-    box.append(slider, R.h("span", {class: "tag left", text: R.who}), R.h("span", {class: "tag right", text: scene.other}), ...R.markers(scene));
+    box.append(slider, R.h("span", {class: "tag left", text: R.ownName(scene)}), R.h("span", {class: "tag right", text: scene.other}), ...R.markers(scene));
     box.addEventListener("pointermove", (event) => scene.change(R.pixelUnder(scene, event, box)));
     return R.h("div", {class: "compare"}, box);
 };
@@ -135,7 +142,8 @@ R.printedPair = (scene, title) => {
     addEventListener("beforeprint", () => {
         const frames = [["student", R.who], ["reference", scene.other]].filter(([whose]) => scene.image.embedded?.[whose])
             .map(([whose, name]) => figure(name, R.frameCanvas(scene, whose, title)));
-        const errors = R.hasBoth(scene.image) && [figure("Error, the tolerance in the middle of the scale", R.errorCanvas(scene), R.errorScale(scene))];
+        const errors = R.hasBoth(scene.image) && [R.hasZ(scene) ? figure("Standard errors beyond the margin, from too dark to too bright", R.zCanvas(scene), R.zScale())
+            : figure("Error, the tolerance in the middle of the scale", R.errorCanvas(scene), R.errorScale(scene))];
         box.append(...frames, ...(errors || []));
     }, {once: true});
     return box;

@@ -15,6 +15,11 @@ R.setTheme = (name) => {
     R.charts.forEach((draw) => draw());
 };
 
+R.isDark = () => {
+    const {theme} = document.documentElement.dataset;
+    return theme ? theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+};
+
 R.themeSwitch = () => {
     const now = R.remember("raysteps-theme") ?? "auto";
     const choose = (name) => () => {

@@ -118,6 +118,7 @@ R.inspector = (scene) => {
             }
     };
     const judge = (i) => {
+        if (R.hasZ(scene)) return R.zVerdict(scene, i);
         const times = R.pixelError(scene, i);
         if (scene.student.explained(i)) return ["mixed", "Beyond tolerance, but within the silhouette here"];
         // Such a pixel is kept as the reference's: a difference of 0 would say too much.
@@ -136,7 +137,7 @@ R.inspector = (scene) => {
         for (const {whose, cells} of rows)
             cells.forEach((cell, c) => {
                 cell.textContent = values[whose] ? R.pixelNumber(values[whose][c], digits) : "–";
-                const beyond = whose === "difference" && values[whose] && !(Math.abs(values[whose][c]) <= scene.allowed(values.reference[c]));
+                const beyond = whose === "difference" && !R.hasZ(scene) && values[whose] && !(Math.abs(values[whose][c]) <= scene.allowed(values.reference[c]));
                 cell.classList.toggle("beyond", Boolean(beyond));
             });
         const [tone, words] = scene.comparable ? judge(i) : ["idle", "Nothing to compare with"];
@@ -144,7 +145,7 @@ R.inspector = (scene) => {
         verdict.dataset.tone = tone;
         lenses.forEach(drawLens);
     };
-    scene.onChange((what) => ("x" in what || "comparable" in what || "exposure" in what) && show());
+    scene.onChange((what) => ("x" in what || "comparable" in what || "exposure" in what || "z" in what) && show());
     show();
     const head = R.h("thead", {}, R.h("tr", {}, R.h("th", {scope: "col"}, R.h("span", {class: "unseen", text: "Picture"})), ...["R", "G", "B"].map((c) => R.h("th", {scope: "col", text: c}))));
     return R.h("div", {class: "inspector"}, R.h("div", {class: "values"}, R.h("table", {class: "pixel"}, where, head, R.h("tbody", {}, ...rows.map((r) => r.row))), verdict),
@@ -159,7 +160,7 @@ R.pictureControls = (scene) => {
     }}});
     const outlines = R.h("input", {type: "checkbox", on: {change: () => scene.change({outlines: outlines.checked})}});
     outlines.checked = true;
-    const worst = scene.worst && R.h("button", {type: "button", class: "quiet", text: "Go to the worst pixel", on: {click: () => scene.change({x: scene.worst.x, y: scene.worst.y})}});
+    const worst = scene.worst && R.h("button", {type: "button", class: "quiet", text: R.hasZ(scene) ? "Go to the worst tile" : "Go to the worst pixel", on: {click: () => scene.change({x: scene.worst.x, y: scene.worst.y})}});
     return R.h("div", {class: "controls"}, R.h("label", {}, "Exposure ", exposure, output),
-        R.h("label", {}, outlines, " Mark silhouettes"), worst);
+        !R.hasZ(scene) && R.h("label", {}, outlines, " Mark silhouettes"), worst);
 };

@@ -39,9 +39,9 @@ bool is_enough(float own, std::span<const float> around, float wanted) {
 // ---- Task 5.12: dimensions ------------------------------------------------------------------------------------------
 
 std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, const Purposes& scene) {
-    //> 5.12 The pixel is 0. Then the lens, if there is one, and each light's point; the time, if there is one; a second one for
-    //>   each light, which only balls need; and all above are for rough surfaces, of which nobody knows how many there will be.
-    const std::uint32_t lights = scene.lens ? 2 : 1, time = lights + scene.lights, balls = time + (scene.time ? 1 : 0);
+    //> 5.12 The pixel is 0. Then the lens, if there is one; each light's point; the time; a second dimension for each light,
+    //>   which only balls need; and all above are for rough surfaces, of which nobody knows how many there will be.
+    const std::uint32_t lights = scene.lens ? 2 : 1, time = lights + scene.lights, balls = time + 1;
     switch (purpose) {
         case Purpose::pixel: return 0;
         case Purpose::lens: return 1;

@@ -91,6 +91,16 @@ Vec2 point_of(Pattern pattern, const Draw& draw) {
     }
     return {};
 }
+
+Real number_of(Pattern pattern, const Draw& draw) {
+    const std::uint64_t key = key_of(draw);
+    const auto strip = [&] { return permuted(draw.sample, draw.samples, key); };
+    switch (pattern) {
+        case Pattern::regular: return (strip() + Real(0.5)) / draw.samples;
+        case Pattern::jittered: return (strip() + uniform(mixed(mixed(key), draw.sample))) / draw.samples;
+        default: return point_of(pattern, draw).x;
+    }
+}
 //< given
 
 Vec2 regular_point(const Draw& draw) {

@@ -64,6 +64,11 @@ Vec2 sobol_point(const Draw& draw);
 /// The pattern's point.
 Vec2 point_of(Pattern pattern, const Draw& draw);
 
+/// For what takes one number, as time does: one in each of `samples` equal strips, in their centres or anywhere. Where a
+/// pattern's points have such an x it is that; of regular and jittered points only the root of `samples` have different
+/// columns: as times these would be as good as N^(-3/4), not 1/N. Given.
+Real number_of(Pattern pattern, const Draw& draw);
+
 // ---- Task 5.5: what points mean --------------------------------------------------------------------------------------
 
 /// From the unit square to the unit disc, equal areas to equal areas (Shirley and Chiu, 1997).
@@ -145,12 +150,12 @@ enum class Purpose { pixel, lens, time, light, ball_light, rough_surface };
 
 /// What a scene distributes over.
 struct Purposes {
-    bool lens = false, time = false;
-    std::uint32_t lights = 0;  ///< in all, of whatever kind
+    bool lens = false;
+    std::uint32_t lights = 0;  ///< in all, of whatever kind; 0 when none has an area
 };
 /// Which dimension of a pattern decides what: never the same one for two things. `number` counts lights (for light and
-/// ball_light, which goes with it), or the surfaces above a rough one. Without gaps: the pixel's neighbour, with which it
-/// shares a sequence, is to be something that the scene has.
+/// ball_light, which goes with it), or the surfaces above a rough one. The pixel's neighbour, with which it shares a
+/// sequence, is the first thing that the scene has: the lens, else a light, else the time.
 std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, const Purposes& scene);
 
 // ---- Task 5.13: no more than a scene needs ---------------------------------------------------------------------------

@@ -27,8 +27,8 @@ bool is_enough(float own, std::span<const float> around, float wanted) {
 // ---- Task 5.12: dimensions ------------------------------------------------------------------------------------------
 
 std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, const Purposes& scene) {
-    // Task 5.12: The pixel is 0. Then the lens, if there is one, and each light's point; the time, if there is one; a second one for
-    // each light, which only balls need; and all above are for rough surfaces, of which nobody knows how many there will be.
+    // Task 5.12: The pixel is 0. Then the lens, if there is one; each light's point; the time; a second dimension for each light,
+    // which only balls need; and all above are for rough surfaces, of which nobody knows how many there will be.
     unfinished("5.12");
     return {};
 }

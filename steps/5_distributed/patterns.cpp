@@ -28,6 +28,16 @@ Vec2 point_of(Pattern pattern, const Draw& draw) {
     return {};
 }
 
+Real number_of(Pattern pattern, const Draw& draw) {
+    const std::uint64_t key = key_of(draw);
+    const auto strip = [&] { return permuted(draw.sample, draw.samples, key); };
+    switch (pattern) {
+        case Pattern::regular: return (strip() + Real(0.5)) / draw.samples;
+        case Pattern::jittered: return (strip() + uniform(mixed(mixed(key), draw.sample))) / draw.samples;
+        default: return point_of(pattern, draw).x;
+    }
+}
+
 Vec2 regular_point(const Draw& draw) {
     // Task 5.1: Columns: the largest divisor of `samples` that is not above its root. Take the permuted sample's cell.
     unfinished("5.1");

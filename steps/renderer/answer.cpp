@@ -108,6 +108,7 @@ const Answerers& answerers() {
         };
         questions::add_recursion(all);
         questions::add_partitioning(all);
+        questions::add_distributed(all);
         return all;
     }();
     return table;

@@ -78,7 +78,7 @@ SampleTracer::SampleTracer(const Distribution& distribution) : distribution_(dis
     } else {
         media_ = std::make_unique<CameraMedia>(*world_);
     }
-    purposes_ = {scene->camera.aperture > 0, distribution.moves(), has_area_lights(*scene) ? static_cast<std::uint32_t>(scene->lights.size()) : 0};
+    purposes_ = {scene->camera.aperture > 0, has_area_lights(*scene) ? static_cast<std::uint32_t>(scene->lights.size()) : 0};
     if (is_rough(*scene)) world_->roughness = this;
     has_area_lights_ = has_area_lights(*scene);
     lights_ = scene->lights;
@@ -95,10 +95,18 @@ SampleTracer::SampleTracer(const Distribution& distribution) : distribution_(dis
     }
 }
 
-Vec2 SampleTracer::point(const Draw& sample, Purpose purpose, std::uint32_t number) const {
+Draw SampleTracer::draw_for(const Draw& sample, Purpose purpose, std::uint32_t number) const {
     Draw draw = sample;
     draw.dimension = dimension_of(purpose, number, purposes_);
-    return point_of(distribution_.pattern(), draw);
+    return draw;
+}
+
+Vec2 SampleTracer::point(const Draw& sample, Purpose purpose, std::uint32_t number) const {
+    return point_of(distribution_.pattern(), draw_for(sample, purpose, number));
+}
+
+Real SampleTracer::one_number(const Draw& sample, Purpose purpose, std::uint32_t number) const {
+    return number_of(distribution_.pattern(), draw_for(sample, purpose, number));
 }
 
 // The number of a rough surface is how many surfaces lie above it: branches of one tree that part share their numbers,
@@ -115,11 +123,11 @@ void SampleTracer::tilt(int ray, Surface& surface, int above) {
 
 Chosen SampleTracer::choose(int x, int y, const Draw& draw) {
     const Scene& scene = world_->scene;
-    if (motion_) motion_->set_time(shutter_time(scene.camera, point(draw, Purpose::time).x));
+    if (motion_) motion_->set_time(shutter_time(scene.camera, one_number(draw, Purpose::time)));
     if (has_area_lights_) {
         for (std::uint32_t i = 0; i < lights_.size(); ++i) {
             const Light& light = scene.lights[i];
-            const Real third = light.area && light.orient ? point(draw, Purpose::ball_light, i).x : 0;
+            const Real third = light.area && light.orient ? one_number(draw, Purpose::ball_light, i) : 0;
             lights_[i] = light.area ? light_at(light, point(draw, Purpose::light, i), third) : light;
         }
     }

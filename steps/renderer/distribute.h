@@ -106,7 +106,9 @@ private:
     void trace_together();
     void tilt(Surface& surface, int above) override;
     void tilt(int ray, Surface& surface, int above) override;
-    Vec2 point(const Draw& draw, Purpose purpose, std::uint32_t number = 0) const;
+    Draw draw_for(const Draw& sample, Purpose purpose, std::uint32_t number) const;
+    Vec2 point(const Draw& sample, Purpose purpose, std::uint32_t number = 0) const;
+    Real one_number(const Draw& sample, Purpose purpose, std::uint32_t number = 0) const;
 
     const Distribution& distribution_;
     std::unique_ptr<Scene> moving_scene_;  ///< null: the scene stands still

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "1_ray_casting/ray_casting.h"
 #include "5_distributed/distributed.h"
+#include "core/unfinished.h"
 #include "renderer/render.h"
 #include "scene_reader/scene_numbers.h"
 
@@ -232,6 +234,33 @@ private:
     std::unique_ptr<Intersector> structure_;
 };
 
+/// Asks everything but meshes that move.
+class AskOthers final : public Intersector {
+public:
+    AskOthers(const Scene& scene, std::vector<std::uint32_t> others) : scene_(scene), others_(std::move(others)) {}
+
+private:
+    std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
+        std::optional<Root> nearest;
+        std::uint32_t object = 0;
+        for (const std::uint32_t i : others_)
+            if (const auto root = intersect(scene_, scene_.objects[i], ray, range)) {
+                range.max = root->t;
+                nearest = root;
+                object = i;
+            }
+        return nearest ? std::optional(complete_hit(scene_, object, ray, *nearest)) : std::nullopt;
+    }
+    bool find_occluder(const Ray& ray, Interval range) const override {
+        return range.min < range.max && std::any_of(others_.begin(), others_.end(), [&](std::uint32_t i) {
+            return !scene_.objects[i].no_shadow && intersect(scene_, scene_.objects[i], ray, range);
+        });
+    }
+
+    const Scene& scene_;
+    std::vector<std::uint32_t> others_;
+};
+
 /// One structure over everything but meshes that move; those are asked one by one.
 class MovingIntersector final : public Intersector {
 public:
@@ -263,14 +292,28 @@ private:
     }
 };
 
-/// Around all places of these objects: at the knots, and as much further as the largest step between two of them, for
-/// what is not linear there (an axis that is normalised, the product of a shape's and a transform's number).
+/// The knots and, where they are few, times between them: the product of two numbers that are linear in Time is not.
+std::vector<Real> times_to_look_at(const Motion& motion, Real open, Real close) {
+    constexpr std::size_t kFewest = 16;
+    const std::vector<Real> knots = motion.knots(open, close);
+    const std::size_t parts = (kFewest + knots.size() - 2) / (knots.size() - 1);
+    std::vector<Real> times;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+        for (std::size_t part = 0; part < parts; ++part) times.push_back(glm::mix(knots[i], knots[i + 1], Real(part) / Real(parts)));
+    times.push_back(knots.back());
+    return times;
+}
+
+/// Around all places of these objects: at those times, and as much further as a quarter of the largest step between two of
+/// them, for what is not linear there (an axis that is normalised, the product of a shape's and a transform's number). Of a
+/// product p of two linear functions that is enough: over a time h it bends away from its chord by |p''| h^2 / 8, and of two
+/// neighbouring steps, which differ by |p''| h^2, one is at least half of that.
 std::vector<Bounds> swept_bounds(const Scene& scene, Motion& motion) {
     const std::size_t count = motion.moving().size();
     std::vector<Bounds> swept(count), before(count);
     std::vector<Real> largest_step(count, 0);
     bool first = true;
-    for (const Real time : motion.knots(scene.camera.shutter_open, scene.camera.shutter_close)) {
+    for (const Real time : times_to_look_at(motion, scene.camera.shutter_open, scene.camera.shutter_close)) {
         motion.set_time(time);
         for (std::size_t i = 0; i < count; ++i) {
             const Bounds now = bounds_of(scene, {motion.moving()[i], 0});
@@ -319,8 +362,20 @@ std::unique_ptr<Intersector> make_moving_intersector(Scene& scene, Motion& motio
         }
         object.transform = object.clip = kNone;
     }
-    intersector->structure = make_intersector(scene, partition);
+    // Few things are asked one by one: not their placeholders, but not the faces of moving meshes again either.
+    const bool asks_all = (partition == Partition::automatic ? choose_partition(scene) : partition) == Partition::none;
+    take_unfinished_task();
+    if (!asks_all) intersector->structure = make_intersector(scene, partition);
     for (std::size_t i = 0; i < moving.size(); ++i) scene.objects[moving[i]] = originals[i];
+    if (asks_all) {
+        std::vector<std::uint32_t> others;
+        for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+            const auto at = std::lower_bound(moving.begin(), moving.end(), i);
+            const bool is_moving = at != moving.end() && *at == i;
+            if (!is_moving || scene.objects[i].kind != ShapeKind::mesh) others.push_back(i);
+        }
+        intersector->structure = std::make_unique<AskOthers>(scene, std::move(others));
+    }
     scene.boxes.resize(boxes);
     motion.bind();
     return intersector;

@@ -21,15 +21,26 @@ public:
     explicit Words(const std::string& line) : in_(line) { in_ >> verb_; }
     const std::string& verb() const { return verb_; }
 
-    Real number() {
+    std::string word() {
         std::string word;
-        if (!(in_ >> word)) throw InputError(verb_ + ": too few numbers");
+        if (!(in_ >> word)) throw InputError(verb_ + ": too few words");
+        return word;
+    }
+    Real number() { return number(word()); }
+    Real number(const std::string& word) const {
         char* end = nullptr;
         const double value = std::strtod(word.c_str(), &end);  // takes "inf" and "nan" too: hostile rays are questions
         if (*end != '\0') throw InputError(verb_ + ": not a number: " + word);
         return static_cast<Real>(value);
     }
     int integer() { return static_cast<int>(number()); }
+    /// A whole number from least to most, both included.
+    template <class T>
+    T whole(T least, T most) {
+        const Real value = number();
+        if (!(value >= Real(least) && value <= Real(most))) throw InputError(fmt::format("{}: {} is not from {} to {}", verb_, value, least, most));
+        return static_cast<T>(value);
+    }
     Vec3 vector() {
         const Real x = number(), y = number();
         return {x, y, number()};
@@ -80,5 +91,7 @@ using Answerers = std::map<std::string, Answerer, std::less<>>;
 void add_recursion(Answerers& answerers);
 /// The queries of step 4.
 void add_partitioning(Answerers& answerers);
+/// The queries of step 5.
+void add_distributed(Answerers& answerers);
 
 }  // namespace rays::questions

@@ -9,7 +9,7 @@
 namespace rays::sdl {
 
 Interpreter::Interpreter(Sources& sources, const Source& scene, const ReadOptions& options, Budget& budget)
-    : sources_(sources), options_(options), budget_(budget), scopes_(1) {
+    : sources_(sources), options_(options), budget_(budget), scanned_(*budget.scanned), names_(scanned_.names), scopes_(1) {
     scanner_.move_to(&scene, scene.begin());
     if (budget_.can_grow) budget_.work += kWorkPerByte * static_cast<std::int64_t>(scene.text.size());
     predeclare("Raysteps", 1);
@@ -30,10 +30,10 @@ void Interpreter::fetch() {
     for (;;) {
         ++tokens_;
         const char* before = scanner_.at();
-        if (blocks_.empty())
+        if (blocks_.empty() && budget_.can_grow)  // nothing repeats, as far as one knows
             scanner_.scan(names_, token);
         else
-            scanner_.scan_repeated(names_, token);
+            scanner_.scan_repeated(scanned_, token);
         spend(1 + (scanner_.at() - before + scanner_.take_walked()) / kBytesPerWork);
         switch (token.kind) {
             case Token::Kind::name:

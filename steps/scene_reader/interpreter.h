@@ -30,6 +30,7 @@ struct Budget {
     std::int64_t memory_limit = kMostMemory;
     std::int64_t memory = kMostMemory;  ///< left
     std::size_t objects = 0;
+    std::shared_ptr<Scanned> scanned = std::make_shared<Scanned>();
 };
 
 class Interpreter {
@@ -276,7 +277,8 @@ private:
     Sources& sources_;
     ReadOptions options_;
     Budget& budget_;
-    Names names_;
+    Scanned& scanned_;
+    Names& names_;
     Scanner scanner_;
     Token peeked_;
     bool has_peeked_ = false;

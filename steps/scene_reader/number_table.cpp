@@ -10,6 +10,8 @@ namespace {
 /// A table is fine enough when linear interpolation misses by less than this part of the number's whole range, or by
 /// rounding.
 constexpr double kTolerance = 2e-5;
+/// Nothing in a scene is so small. What only rounding changes, where two terms cancel, is no function of the variable.
+constexpr double kNothing = 1e-12;
 
 }  // namespace
 
@@ -52,7 +54,7 @@ double NumberTable::allowed(std::size_t k) const {
         low = std::min(low, sample[k]);
         high = std::max(high, sample[k]);
     }
-    return kTolerance * (high - low) + kNumberRounding * std::max(std::abs(low), std::abs(high));
+    return kTolerance * (high - low) + kNumberRounding * std::max(std::abs(low), std::abs(high)) + kNothing;
 }
 
 bool NumberTable::middles_agree() const {
@@ -113,7 +115,7 @@ Varying NumberTable::thinned(std::size_t k) const {
     varying.first = static_cast<Real>(variable_.first);
     varying.last = static_cast<Real>(variable_.last);
     // The deviation was seen at some points only; between them it is at most a little larger.
-    varying.error = static_cast<Real>(2 * std::max(error, kNumberRounding * std::abs(samples_[0][k])) + 1e-12);
+    varying.error = static_cast<Real>(2 * std::max(error, kNumberRounding * std::abs(samples_[0][k])) + kNothing);
     for (std::size_t i = 0; i <= last; i += step) varying.samples.push_back(static_cast<Real>(samples_[i][k]));
     return varying;
 }

@@ -154,12 +154,12 @@ void Scanner::scan(Names& names, Token& token) {
     }
 }
 
-void Scanner::scan_repeated(Names& names, Token& token) {
-    if (remembered_.empty()) remembered_.resize(kRemembered);
-    Remembered& known = remembered_[reinterpret_cast<std::uintptr_t>(at_) % kRemembered];
+void Scanner::scan_repeated(Scanned& scanned, Token& token) {
+    if (scanned.remembered.empty()) scanned.remembered.resize(Scanned::kRemembered);
+    auto& known = scanned.remembered[reinterpret_cast<std::uintptr_t>(at_) % Scanned::kRemembered];
     if (known.from != at_) {
         const char* from = at_;
-        scan(names, token);
+        scan(scanned.names, token);
         known = {from, at_, token};
         return;
     }

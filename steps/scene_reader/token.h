@@ -39,6 +39,20 @@ struct Token {
 /// How a message calls it: "'sphere'", "the number 3", "the end of the scene".
 std::string describe(const Token& token);
 
+/// What all readings of a text share: the numbers of its names, and tokens by their place.
+struct Scanned {
+    Names names;
+
+    /// What stands in the text from `from` on. Texts do not change, so it stays true.
+    struct Remembered {
+        const char* from = nullptr;
+        const char* to = nullptr;
+        Token token;
+    };
+    static constexpr std::size_t kRemembered = 4096;  ///< a body of so many bytes is remembered whole
+    std::vector<Remembered> remembered;               ///< by the last bits of `from`; empty until something repeats
+};
+
 /// Scans numbers, names, strings and punctuation; knows nothing of what they mean.
 class Scanner {
 public:
@@ -54,7 +68,7 @@ public:
     /// The next token; a '#' is left to the caller, who sees kind hash. End of text is kind end.
     void scan(Names& names, Token& token);
     /// The same, for text that is read time and again, as loops and macros are: what was scanned is remembered by its place.
-    void scan_repeated(Names& names, Token& token);
+    void scan_repeated(Scanned& scanned, Token& token);
     Token scan(Names& names) {
         Token token;
         scan(names, token);
@@ -85,19 +99,10 @@ private:
     void scan_string(Token& token);
     void scan_name(Token& token, Names& names);
 
-    /// What stands in the text from `from` on. Texts do not change, so it stays true.
-    struct Remembered {
-        const char* from = nullptr;
-        const char* to = nullptr;
-        Token token;
-    };
-    static constexpr std::size_t kRemembered = 4096;  ///< a body of so many bytes is remembered whole
-
     const Source* source_ = nullptr;
     const char* at_ = nullptr;
     const char* end_ = nullptr;
     std::int64_t walked_ = 0;
-    std::vector<Remembered> remembered_;  ///< by the last bits of `from`; empty until something repeats
 };
 
 }  // namespace rays::sdl

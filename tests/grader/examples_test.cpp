@@ -89,6 +89,7 @@ TEST_F(ExamplesTest, ThePerfectOneGetsAllPoints) {
     EXPECT_NEAR(r.max, 110, 1e-9);
     EXPECT_NEAR(row(r, "refraction").points, 10, 1e-9);
     EXPECT_NEAR(row(r, "partitioning").points, 10, 1e-9);
+    EXPECT_NEAR(row(r, "distributed").points, 10, 1e-9);
     EXPECT_NEAR(r.extra, 30, 1e-9) << "extra rows give 30 at most";
     for (const Check& c : r.handed_in->checks) EXPECT_EQ(c.verdict, Verdict::pass) << c.id << ": " << c.message;
     EXPECT_NE(r.handed_in->report.find("the octree's walk"), std::string::npos) << "the prose reaches the instructor";

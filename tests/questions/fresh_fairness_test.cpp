@@ -106,7 +106,7 @@ TEST_P(FreshScenesOfStep, AreReadShowSomethingAndAreTheSameWithEveryStructure) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Questions, FreshScenesOfStep,
-                         testing::Values(Fresh{1, 14}, Fresh{2, 10}, Fresh{3, 11}, Fresh{4, 2}),
+                         testing::Values(Fresh{1, 14}, Fresh{2, 10}, Fresh{3, 11}, Fresh{4, 2}, Fresh{5, 4}),
                          [](const auto& of) { return "step_" + std::to_string(of.param.step); });
 
 }  // namespace

@@ -185,6 +185,34 @@ export const hostileCosts = () => {
     return results;
 };
 
+/** Noisy scenes: right, too dark in one place, too noisy, and with numbers that are none. */
+export const noisy = (text = (t) => t) => {
+    const difference = (channel, value, z, wrong) => ({channel, difference: value, reference: 0.5, margin: 0.005, standard_error: 0.002, z, limit: 4.2, wrong});
+    const statistics = (more) => ({samples: 16, seeds: 8, batches: 1, alarm_rate: 0.0005, not_finite: 0, tiles: 300, tiles_wrong: 0, tile_margin: 0.01, whole_margin: 0.005,
+        worst: {x: 16, y: 8, width: 8, height: 8, ...difference("G", 0.006, 1.5, false)}, whole: ["R", "G", "B"].map((c, i) => difference(c, 0.0001 * (i - 1), 0, false)),
+        noise: {variance: 0.001, solution: 0.00095, ratio: 1.05, full: 1.75, none: 2.5}, z_picture: "pictures/z.exr", ...more});
+    const wrong = {batches: 2, seeds: 16, tiles_wrong: 4, worst: {x: 64, y: 40, width: 8, height: 8, ...difference("G", -0.05, -9, true)}, noise: {variance: 0.001, full: 1.75, none: 2.5}};
+    const scene = (name, number, mistake, verdict, message, more) => check("1.1", "statistical", text(name.replaceAll("_", " ")), verdict,
+        {id: `5.picture.${name}`, message: text(message), image: {...image(name, number, mistake), scene: `5_distributed/${name}.pov`, tolerance: 0.01, tolerance_absolute: 0, worst: {x: 68, y: 44, student: [0.4, 0.4, 0.4], reference: [0.5, 0.5, 0.5]}}, ...more});
+    const {worst, z_picture, ...nothing} = statistics({not_finite: 21, tiles: 0, whole: []});
+    const step5 = {id: "5_distributed", number: 5, title: "Distributed ray tracing", verdict: "partial", points: 6, max: 16, tasks: [], checks: [
+        scene("soft_shadow", 2, 0, "pass", "the mean of 8 seeds is right in all of 300 tiles and as a whole; the noise (mean variance) is 1.05 times the solution's at as many samples", {statistics: statistics({})}),
+        scene("focus_near", 0, 1, "fail", "the mean is wrong in 8 seeds and then 16 others: 4 of 300 tiles wrong, most of all at pixels (64, 40) to (71, 47), left: G is too dark by 10 %", {statistics: statistics(wrong), diagnosis: [{kind: "picture", text: text("every value is 0.9 times the right one")}]}),
+        scene("glossy_floor", 3, 0, "partial", "right, but the noise is 2.1 times the solution's", {points: 3.4, statistics: statistics({noise: {variance: 0.002, solution: 0.00095, ratio: 2.1, full: 1.75, none: 2.5}})}),
+        scene("shutter", 0, 3, "fail", "21 pixels of 8 pictures are not finite (NaN or infinite)", {statistics: nothing})]};
+    return {...base(), submission: {name: "ada", from: "student"}, score: {points: 6, max: 16}, rubric: [], steps: [step5]};
+};
+
+/** The same by an enemy: numbers that are none, and a map that is none. */
+export const hostileNoisy = () => {
+    const results = noisy((t) => HOSTILE + t), {checks} = results.steps[0];
+    Object.assign(checks[0].statistics, {z_picture: "pictures/not-a-picture.exr", whole: "x", worst: {x: "<b>", y: null}, seeds: HOSTILE, noise: 3, tiles: {}});
+    Object.assign(checks[1].statistics, {z_picture: "pictures/other-size.exr", worst: {x: 1e9, y: -5, width: 1e308, height: -1, limit: "x"}, whole: [null, 1, {difference: HOSTILE, reference: 0}]});
+    checks[2].statistics = {embedded: {id: "results", width: 1e9, height: 1e9}, z_picture: {}};
+    checks[3].statistics = [HOSTILE];
+    return results;
+};
+
 export const COMPILER = "steps/1_x/file.cpp:57:41: error: 'struct Sphere' has no member named 'centre'\n   57 | int f(Sphere s) { return s.centre; }\n      |                            ^~~~~~\n";
 
 /** The compiler stopped: the same text in every check. */
@@ -260,7 +288,7 @@ export const writeFixtures = async (folder, makePictures) => {
     writeFileSync(join(pictures, "absurd.exr"), absurdExr());
     writeFileSync(join(pictures, "cut.exr"), readFileSync(join(pictures, "student-2-0.exr")).subarray(0, 3000));
     const paths = {};
-    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt, handedIn, costs, hostileCosts})) {
+    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt, handedIn, costs, hostileCosts, noisy, hostileNoisy})) {
         paths[name] = join(folder, `${name}.json`);
         writeFileSync(paths[name], JSON.stringify(make()));
     }

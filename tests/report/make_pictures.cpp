@@ -110,6 +110,20 @@ Canvas costs(int map) {
     return canvas;
 }
 
+/// z of tiles of 8 x 8 pixels: mostly 0, some noise, and two by two tiles that are far too dark. The test knows these
+/// numbers.
+Canvas z_map() {
+    Canvas canvas{{"R", "G", "B"}, {}};
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const int column = x / 8, row = y / 8;
+            const bool dark = (column == 8 || column == 9) && (row == 5 || row == 6);
+            const float z = dark ? -9 : (column + row) % 3 ? 0 : 0.75f * static_cast<float>((7 * column + 3 * row) % 5 - 2);
+            for (const float share : {0.5f, 1.0f, 0.25f}) canvas.values.push_back(share * z);
+        }
+    return canvas;
+}
+
 bool write(const Canvas& canvas, OIIO::TypeDesc format, const std::filesystem::path& file, int width = kWidth,
            int height = kHeight) {
     OIIO::ImageSpec spec(width, height, static_cast<int>(canvas.names.size()), format);
@@ -149,6 +163,7 @@ int main(int argc, char** argv) {
     }
     for (int map = 0; map < 3; ++map)
         good &= write(costs(map), OIIO::TypeDesc::FLOAT, folder / ("costs-" + std::to_string(map) + ".exr"));
+    good &= write(z_map(), OIIO::TypeDesc::FLOAT, folder / "z.exr");
     std::mt19937 random(7);
     for (int i = 0; i < 40; ++i) {
         Canvas noise{{"R", "G", "B"}, {}};

@@ -22,7 +22,7 @@ const fits = async (page, width, name) => {
 };
 
 test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise that does not compress", async () => {
-    for (const name of ["good", "wrong", "hostile", "huge", "costs", "hostileCosts"]) assert.ok(sizeOf(name) < 3 * MEGA, `${name}: ${sizeOf(name)} bytes`);
+    for (const name of ["good", "wrong", "hostile", "huge", "costs", "hostileCosts", "noisy", "hostileNoisy"]) assert.ok(sizeOf(name) < 3 * MEGA, `${name}: ${sizeOf(name)} bytes`);
     // Styles, scripts and libraries, and 12 kB for both pictures of a scene as simple as these. What real steps may take
     // stands in tests/grader/submissions_test.cpp.
     for (const name of ["good", "wrong"]) assert.ok(sizeOf(name) < 200_000 + 25 * 12_000, `${name}: ${sizeOf(name)} bytes for 25 scenes`);
@@ -33,7 +33,7 @@ test("every page is under 3 MB, with 25 scenes, hostile texts of 10 MB, or noise
 });
 
 test("nothing loads from outside, nothing is logged", async () => {
-    for (const name of ["good", "wrong", "hostile", "huge", "charted", "charts-only", "hostile-charts", "costs", "hostileCosts"]) {
+    for (const name of ["good", "wrong", "hostile", "huge", "charted", "charts-only", "hostile-charts", "costs", "hostileCosts", "noisy", "hostileNoisy"]) {
         const {page, watch, close} = await open(name);
         await page.locator(".rail-tools .quiet").click();
         await page.waitForTimeout(300);
@@ -544,7 +544,7 @@ test("diagnosis, trees, questions and commands are there", async () => {
 });
 
 test("nothing overflows on a phone", async () => {
-    for (const name of ["good", "wrong", "hostile", "costs", "hostileCosts"]) {
+    for (const name of ["good", "wrong", "hostile", "costs", "hostileCosts", "noisy", "hostileNoisy"]) {
         const {page, close} = await open(name, {width: 768, height: 800});
         for (const width of [768, 390, 320]) {
             await fits(page, width, name);
@@ -666,4 +666,39 @@ test("results with odd bytes and nothing in them still make a page", async () =>
     const run = report(file, html);
     assert.equal(run.status, 0, run.stderr);
     assert.ok(resultsIn(html).submission.name.startsWith("a\ufffd\ufffd"));
+});
+
+test("a noisy picture shows its mean beside the reference, and a diverging map of z", async () => {
+    const {page, close} = await open("noisy", {width: 1400});
+    const check = (name) => page.locator(".check", {has: page.getByRole("heading", {name, exact: true})});
+    const wrong = check("Focus near");
+    assert.match(await wrong.locator(".tag.left").textContent(), /^Student, mean of 16$/);
+    assert.match(await wrong.locator(".facts").textContent(), /tiles wrong4 of 300/);
+    assert.match(await wrong.locator(".facts").textContent(), /whole picture, R G B−0.02 %, 0 %, \+0.02 %/);
+    assert.match(await wrong.locator(".legend").textContent(), /standard errors the mean of 16 pictures goes beyond 1 % of the level.*wrong beyond 4.2/);
+    assert.deepEqual(await wrong.locator(".tick").allTextContents(), ["−5 too dark", "0", "5 too bright"]);
+    const canvas = wrong.locator("canvas.z-map");
+    const color = (x, y) => canvas.evaluate((c, [px, py]) => [...c.getContext("2d").getImageData(px, py, 1, 1).data].slice(0, 3), [x, y]);
+    const [middle, dark] = [await color(8, 0), await color(70, 45)];
+    assert.ok(Math.max(...middle) - Math.min(...middle) < 12 && middle[0] > 200, `${middle}: grey, bright on a bright page`);
+    assert.ok(dark[2] > dark[0] + 60, `${dark}: what is too dark is blue`);
+    const bright = await page.evaluate(() => R.colors.diverging(1, false));
+    assert.ok(bright[0] > bright[2] + 60, `${bright}: what is too bright is orange`);
+    const box = await wrong.locator(".worst-tile").boundingBox(), map = await canvas.boundingBox();
+    assert.ok(Math.abs((box.x - map.x) / map.width - 64 / 160) < 0.01 && Math.abs(box.width / map.width - 8 / 160) < 0.01, "the worst tile is framed");
+    await wrong.getByRole("button", {name: "Go to the worst tile"}).click();
+    assert.match(await wrong.locator(".pixel-verdict").textContent(), /Tile darker than the margin allows by 9 standard errors/);
+    await page.locator("input[name=theme][value=dark]").check();
+    const night = await color(8, 0);
+    assert.ok(night[0] < 80, `${night}: grey, dark on a dark page`);
+    assert.match(await check("Glossy floor").locator(".facts").textContent(), /noise over the solution's2.1 \(full points up to 1.75, none from 2.5\)/);
+    assert.equal(await check("Shutter").locator("canvas.z-map").count(), 0, "without numbers there is no z: the map of errors shows where they are missing");
+    assert.equal(await check("Shutter").locator(".errors canvas.frame").count(), 1);
+    await page.getByRole("button", {name: "Show them large"}).click();
+    assert.ok(await page.locator("dialog .z-map").count() <= 1);
+    for (const width of [390, 1400]) {
+        await page.keyboard.press("Escape");
+        await fits(page, width, "noisy");
+    }
+    await close();
 });

@@ -47,6 +47,21 @@ Chart samples_of_checkers(Laboratory& laboratory);
 Chart step_4_against_povray(Laboratory& laboratory);
 Chart bench_against_povray(Laboratory& laboratory);
 
+// ---- Step 5 ---------------------------------------------------------------------------------------------------------
+
+Chart edges_by_time(Laboratory& laboratory);
+Chart edges_by_samples(Laboratory& laboratory);
+Chart area_light_by_time(Laboratory& laboratory);
+Chart area_light_by_samples(Laboratory& laboratory);
+Chart lens_by_time(Laboratory& laboratory);
+Chart lens_by_samples(Laboratory& laboratory);
+Chart motion_by_time(Laboratory& laboratory);
+Chart motion_by_samples(Laboratory& laboratory);
+Chart glossy_by_time(Laboratory& laboratory);
+Chart glossy_by_samples(Laboratory& laboratory);
+Chart to_reach_an_error(Laboratory& laboratory);
+Chart depth_of_field_formulas(Laboratory& laboratory);
+
 struct NamedChart {
     int step;
     Chart (*make)(Laboratory&);

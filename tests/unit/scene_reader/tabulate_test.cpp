@@ -57,6 +57,16 @@ TEST(Tabulate, StraightMotionNeedsTwoSamples) {
     EXPECT_EQ(find(scene, "spheres[0].center.y"), nullptr);
 }
 
+TEST(Tabulate, RoundingWhereTermsCancelIsNoMotion) {
+    // The plane of focus stays on the thing: its coordinates are 0 but for rounding, another one at every time.
+    const Scene scene = scene_of("camera { location <0.2*Time,2,-4> look_at <0,0.4,0> aperture 0.2 focal_point <0,0.4,0> }");
+    const Varying* table = find(scene, "camera.focal_point.x");
+    if (table) {
+        EXPECT_LT(std::abs(look_up(*table, 0.3)), 1e-12);
+    }
+    EXPECT_NE(find(scene, "camera.direction.x"), nullptr);
+}
+
 TEST(Tabulate, WhatCannotAlwaysBeFoldedIsNeverFolded) {
     // At Time 0 this sphere is round and this box straight; later they are not.
     const Scene scene = scene_of(kMoving);
