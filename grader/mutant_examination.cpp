@@ -67,7 +67,7 @@ public:
         }
         for (const Task& task : stage_.step.tasks) {
             if (task.id == outcome_.mutant.task) continue;
-            if (has_fresh_scenes(task.id)) note(fresh(task));
+            if (has_fresh_scenes(task.id) && !has_noisy_fresh_scenes(task.id)) note(fresh(task));
             for (const Sweep& sweep : stage_.sweeps)
                 if (sweep.task == task.id) note(sweep_check(bench_, sweep, {}, 1));
             if (!variant && !outcome_.caught_by.empty()) return;
