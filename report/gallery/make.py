@@ -16,4 +16,4 @@ for step in [int(word) for word in sys.argv[2:]] or SAMPLES:
     words = [render, scenes / f"step_{step}.pov", "-o", here / f"step_{step}.png", "--width", width, "--height", height]
     subprocess.run([str(w) for w in [*words, "--samples", SAMPLES[step]]], check=True)
     # For the page of the solutions.
-    subprocess.run(["oiiotool", str(here / f"step_{step}.png"), "--resize", "320x180", "--compression", "jpeg:60", "-o", str(here / "small" / f"step_{step}.jpg")], check=True)
+    subprocess.run(["oiiotool", str(here / f"step_{step}.png"), "--resize", "320x180", "--eraseattrib", ".*", "--nosoftwareattrib", "--compression", "jpeg:60", "-o", str(here / "small" / f"step_{step}.jpg")], check=True)
