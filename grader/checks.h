@@ -48,8 +48,6 @@ Check statistical_all_mine_check(const Bench& bench, const SceneTask& scene, con
 
 /// Fresh scenes of a task, the student's pictures against the solution's.
 Check fresh_check(const Bench& bench, const Task& task, double max);
-/// The same where pictures are noisy: the student's mean over seeds against the solution's.
-Check noisy_fresh_check(const Bench& bench, const Task& task, double max);
 bool has_fresh_scenes(const std::string& task);
 
 }  // namespace rays::grader

@@ -55,10 +55,10 @@ std::string rough_things(Dice& d) {
 
 void add_distributed(Recipes& recipes) {
     const auto shaded = [](Dice& d) { return lamp(d, "") + lamp(d, ""); };
-    recipes["5.7"] = {[](Dice& d) { return some_things(d, 6); }, shaded, false};
-    recipes["5.8"] = {[](Dice& d) { return some_things(d, 5); }, area_lamp, false};
-    recipes["5.9"] = {moving_things, shaded, false};
-    recipes["5.10"] = {rough_things, shaded, false};
+    recipes["5.7"] = {[](Dice& d) { return some_things(d, 6); }, shaded, false, true};
+    recipes["5.8"] = {[](Dice& d) { return some_things(d, 5); }, area_lamp, false, true};
+    recipes["5.9"] = {moving_things, shaded, false, true};
+    recipes["5.10"] = {rough_things, shaded, false, true};
 }
 
 }  // namespace rays::grader::fresh

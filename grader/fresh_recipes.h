@@ -59,6 +59,7 @@ struct Recipe {
     std::function<std::string(Dice&)> things, lamps = [](Dice&d) { return lamp(d); };
     /// Single rays through it tell mistakes apart. Not so where only a structure that is asked for by name makes them.
     bool probes = true;
+    bool noisy = false;  ///< its picture is an estimate
 };
 using Recipes = std::map<std::string, Recipe>;  ///< by task
 

@@ -260,6 +260,11 @@ std::optional<FreshScene> fresh_scene(const std::string& task, std::uint64_t see
     return scene;
 }
 
+bool has_noisy_fresh_scenes(const std::string& task) {
+    const auto recipe = recipes().find(task);
+    return recipe != recipes().end() && recipe->second.noisy;
+}
+
 std::vector<Question> probe_questions(const std::vector<std::string>& tasks, std::uint64_t seed) {
     std::vector<Question> questions;
     for (const std::string& task : tasks) {

@@ -9,7 +9,6 @@
 #include "grader/answers.h"
 #include "grader/cost_maps.h"
 #include "grader/course.h"
-#include "grader/fresh_scenes.h"
 #include "grader/student_build.h"
 #include "grader/verdicts.h"
 #include "references/in_parallel.h"
@@ -32,7 +31,7 @@ std::vector<CheckMaker> task_checks(const StepOrder& order, const Task& task, co
     const Bench& bench = order.bench;
     std::vector<CheckMaker> makers;
     if (unit) makers.push_back([&, shares] { return std::vector{unit_check(bench, task, questions, shares.unit)}; });
-    if (fresh) makers.push_back([&, shares] { return std::vector{has_noisy_fresh_scenes(task.id) ? noisy_fresh_check(bench, task, shares.fresh) : fresh_check(bench, task, shares.fresh)}; });
+    if (fresh) makers.push_back([&, shares] { return std::vector{fresh_check(bench, task, shares.fresh)}; });
     for (const Sweep& sweep : sweeps) {
         if (!is_its(sweep)) continue;
         makers.push_back([&, shares] {
@@ -210,7 +209,7 @@ std::string picture_command(const Check& c, int step) {
     const std::string view = fmt::format("--width {} --height {} --from {}", image.width, image.height,
                                          c.mode == "isolated" ? fmt::format("student-{}", step) : "student") +
                              (image.partition.empty() ? "" : " --partition " + image.partition) +
-                             (c.statistics ? fmt::format(" --samples {} --seed 1", c.statistics->samples) : "");
+                             (c.statistics ? fmt::format(" --pattern sobol --samples {} --seed 1", c.statistics->samples) : "");
     std::string text = fmt::format("./rays render scenes/{} -o picture.png {}", image.scene, view);
     if (image.beyond_rounding > 0)
         text +=

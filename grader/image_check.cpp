@@ -7,7 +7,7 @@
 #include "grader/checks.h"
 #include "grader/compare.h"
 #include "grader/explain_picture.h"
-#include "grader/fresh_scenes.h"
+#include "grader/fresh_pictures.h"
 #include "grader/picture_parts.h"
 #include "grader/ray_trees.h"
 #include "grader/text.h"
@@ -110,38 +110,6 @@ Check picture_check(const Bench& bench, const SceneTask& scene, const fs::path& 
     return check;
 }
 
-// The solution's picture and what lies around each of its pixels.
-struct FreshTruth {
-    std::string sdl;
-    SceneFiles files;
-    std::optional<Finding> against;
-    Reference truth;
-    std::string exr;
-};
-
-bool of_one_colour(const RgbImage& picture) {
-    return std::all_of(picture.pixels.begin(), picture.pixels.end(), [&](const Rgb& p) { return p == picture.pixels.front(); });
-}
-
-FreshTruth fresh_truth(const Bench& bench, const std::string& task, int place) {
-    const Raster raster{kFreshWidth, kFreshHeight}, fine{4 * kFreshWidth, 4 * kFreshHeight};
-    FreshTruth result;
-    Shot frame;
-    for (int attempt = 0; attempt < kFreshAttempts; ++attempt) {
-        result.sdl = fresh_scene(task, seed_of_fresh_scene(bench.seed, place, attempt))->sdl;
-        result.files = {{"fresh.pov", result.sdl}};
-        frame = shoot(bench.sandbox, bench.solution, result.files, raster, bench.limits);
-        if (frame.against || !of_one_colour(frame.picture)) break;
-    }
-    result.against = frame.against;
-    result.exr = frame.exr;
-    if (result.against) return result;
-    const Shot around = shoot(bench.sandbox, bench.solution, result.files, fine, bench.limits);
-    result.against = around.against;
-    if (!result.against) result.truth = make_reference(frame.picture, around.picture);
-    return result;
-}
-
 }  // namespace
 
 Check image_check(const Bench& bench, const SceneTask& scene) {
@@ -152,44 +120,26 @@ Check all_mine_check(const Bench& bench, const SceneTask& scene, const fs::path&
     return picture_check(bench, scene, all_mine, "all mine");
 }
 
-bool has_fresh_scenes(const std::string& task) { return fresh_scene(task, 1).has_value(); }
-
-Check fresh_check(const Bench& bench, const Task& task, double max) {
-    Check check = new_check(task.id + ".fresh", task.id, "fresh", task.title + ": fresh scenes", max);
+Check exact_fresh_picture(const Bench& bench, const Task& task, const FreshPick& pick, int place) {
     // Small pictures: 0.05 % is about one pixel, and two equally good roundings may part on more than one edge pixel.
     constexpr int kLeastAllowed = 3;
-    int right = 0;
-    for (int i = 0; i < kFreshScenesPerTask; ++i) {
-        const FreshTruth truth = fresh_truth(bench, task.id, i);
-        Check one = check;
-        one.image.emplace().scene = fmt::format("fresh scene {} of task {}", i + 1, task.id);
-        one.image->partition = task.partition;
-        if (truth.against) {
-            check.verdict = Verdict::infrastructure_error;
-            check.message = "the solution cannot render a fresh scene: " + truth.against->message;
-            return check;
-        }
-        const Shot shot = shoot(bench.sandbox, bench.student, truth.files, {kFreshWidth, kFreshHeight}, bench.limits,
-                                options_of(task.partition));
-        judge({bench, bench.student, truth.files, truth.truth, kFreshTolerance, kLeastAllowed}, shot, one);
-        check.seconds += one.seconds;
-        right += one.verdict == Verdict::pass;
-        if (one.verdict == Verdict::pass || check.image) continue;
-        check.verdict = one.verdict;
-        check.message = "; " + one.message;
-        check.diagnosis = one.diagnosis;
-        check.image = one.image;
-        check.image->student = kept_picture(bench, check.id, shot.exr);
-        check.image->reference = check.image->solution = kept_picture(bench, check.id + ".solution", truth.exr);
-        check.questions.push_back({"the scene", "", truth.sdl, "the solution's picture", "another picture", false});
+    Check check = new_check(fmt::format("{}.fresh.{}", task.id, place + 1), task.id, "fresh", task.title + ": fresh scenes", 1);
+    check.image.emplace().scene = pick.name;
+    check.image->partition = task.partition;
+    // What lies around each pixel of the solution's frame.
+    const Shot around = pick.frame.against ? pick.frame
+                                           : shoot(bench.sandbox, bench.solution, pick.files, {4 * kFreshWidth, 4 * kFreshHeight}, bench.limits);
+    if (around.against) {
+        check.verdict = Verdict::infrastructure_error;
+        check.message = "the solution cannot render a fresh scene: " + around.against->message;
+        return check;
     }
-    check.message =
-        fmt::format("{} of {} fresh scenes equal to the solution's", right, kFreshScenesPerTask) + check.message;
-    check.points = max * right / kFreshScenesPerTask;
-    if (right == kFreshScenesPerTask)
-        check.verdict = Verdict::pass;
-    else if (right > 0 && check.verdict == Verdict::fail)
-        check.verdict = Verdict::partial;
+    const Reference truth = make_reference(pick.frame.picture, around.picture);
+    const Shot shot = shoot(bench.sandbox, bench.student, pick.files, {kFreshWidth, kFreshHeight}, bench.limits, options_of(task.partition));
+    judge({bench, bench.student, pick.files, truth, kFreshTolerance, kLeastAllowed}, shot, check);
+    if (check.verdict == Verdict::pass) return check;
+    check.image->student = kept_picture(bench, check.id, shot.exr);
+    check.image->reference = check.image->solution = kept_picture(bench, check.id + ".solution", pick.frame.exr);
     return check;
 }
 

@@ -67,7 +67,7 @@ public:
         }
         for (const Task& task : stage_.step.tasks) {
             if (task.id == outcome_.mutant.task) continue;
-            if (has_fresh_scenes(task.id) && !has_noisy_fresh_scenes(task.id)) note(fresh(task));
+            if (has_fresh_scenes(task.id) && !has_noisy_fresh_scenes(task.id)) note(fresh_check(bench_, task, 1));
             for (const Sweep& sweep : stage_.sweeps)
                 if (sweep.task == task.id) note(sweep_check(bench_, sweep, {}, 1));
             if (!variant && !outcome_.caught_by.empty()) return;
@@ -83,12 +83,8 @@ private:
         for (const Sweep& sweep : stage_.sweeps)
             if (sweep.task == task->id && (variant || outcome_.caught_by.empty()))
                 note(sweep_check(bench_, sweep, {}, 1));
-        if (has_fresh_scenes(task->id) && (variant || outcome_.caught_by.empty())) note(fresh(*task));
+        if (has_fresh_scenes(task->id) && (variant || outcome_.caught_by.empty())) note(fresh_check(bench_, *task, 1));
         outcome_.by_own_task = !outcome_.caught_by.empty();
-    }
-
-    Check fresh(const Task& task) const {
-        return has_noisy_fresh_scenes(task.id) ? noisy_fresh_check(bench_, task, 1) : fresh_check(bench_, task, 1);
     }
 
     // One process for all: which task's question caught it is told by the question.

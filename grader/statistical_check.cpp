@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "references/averaged.h"
 #include "grader/checks.h"
-#include "grader/fresh_scenes.h"
+#include "grader/fresh_pictures.h"
 #include "grader/picture_parts.h"
 #include "grader/statistical_words.h"
 
@@ -196,8 +196,10 @@ void judge(const Sitting& s, Check& check) {
     fill(statistics, bias.examination, s.options);
     const RgbImage mean = mean_of(bias.pictures);
     fill(*check.image, mean, s.truth, statistics.worst);
-    check.image->student = kept_picture(s.bench, check.id, mean);
-    if (bias.examination.not_finite == 0)
+    // A fresh scene's pictures are shown where they are wrong only.
+    const bool keep = check.kind == "statistical" || !bias.passed;
+    if (keep) check.image->student = kept_picture(s.bench, check.id, mean);
+    if (keep && bias.examination.not_finite == 0)
         statistics.z_picture = kept_picture(s.bench, check.id + ".z", z_picture(bias.examination, mean.raster));
     if (bias.cut_short) return stopped();
     check.message = bias_text(bias, mean.raster);
@@ -251,19 +253,18 @@ AveragedReference truth_by_solution(const Pictures& pictures) {
     return truth;
 }
 
-/// One fresh scene; `place` as for fresh_check.
-Check noisy_fresh_scene(const Bench& bench, const Task& task, int place, std::string& sdl) {
+}  // namespace
+
+Check noisy_fresh_picture(const Bench& bench, const Task& task, const FreshPick& pick, int place) {
     constexpr int kSamples = 16, kSeeds = 8, kSamplesOfTruth = 64;
     const Raster raster{kFreshWidth, kFreshHeight};
-    Check check = new_check(task.id + ".fresh", task.id, "fresh", task.title + ": fresh scenes", 1);
-    check.image.emplace().scene = fmt::format("fresh scene {} of task {}", place + 1, task.id);
-    sdl = fresh_scene(task.id, seed_of_fresh_scene(bench.seed, place, 0))->sdl;
-    const SceneFiles files{{"fresh.pov", sdl}};
+    Check check = new_check(fmt::format("{}.fresh.{}", task.id, place + 1), task.id, "fresh", task.title + ": fresh scenes", 1);
+    check.image.emplace().scene = pick.name;
     SceneTask scene, finer;
-    scene.scene = finer.scene = check.image->scene;
+    scene.scene = finer.scene = pick.name;
     scene.samples = kSamples, finer.samples = kSamplesOfTruth;
     scene.seeds = finer.seeds = kSeeds;
-    Photographer student(bench, scene, files, raster), solution(bench, finer, files, raster);
+    Photographer student(bench, scene, pick.files, raster), solution(bench, finer, pick.files, raster);
     const Pictures pictures = solution.take(bench.solution, Series::solution, kSeeds);
     if (pictures.empty()) {
         check.verdict = Verdict::infrastructure_error;
@@ -274,39 +275,9 @@ Check noisy_fresh_scene(const Bench& bench, const Task& task, int place, std::st
     check.image->height = raster.height;
     const AveragedReference truth = truth_by_solution(pictures);
     judge({bench, scene, bench.student, truth, VerdictOptions{}, student, solution}, check);
-    check.image->reference = check.image->solution = kept_picture(bench, check.id + ".solution", truth.mean);
+    if (check.verdict != Verdict::pass)
+        check.image->reference = check.image->solution = kept_picture(bench, check.id + ".solution", truth.mean);
     check.seconds = student.seconds();
-    return check;
-}
-
-}  // namespace
-
-Check noisy_fresh_check(const Bench& bench, const Task& task, double max) {
-    Check check = new_check(task.id + ".fresh", task.id, "fresh", task.title + ": fresh scenes", max);
-    int right = 0;
-    for (int i = 0; i < kFreshScenesPerTask; ++i) {
-        std::string sdl;
-        Check one = noisy_fresh_scene(bench, task, i, sdl);
-        check.seconds += one.seconds;
-        right += one.verdict == Verdict::pass;
-        if (one.verdict == Verdict::infrastructure_error) {
-            check.verdict = one.verdict;
-            check.message = one.message;
-            return check;
-        }
-        if (one.verdict == Verdict::pass || check.image) continue;
-        check.verdict = one.verdict;
-        check.message = "; " + one.message;
-        check.diagnosis = std::move(one.diagnosis);
-        check.image = std::move(one.image);
-        check.questions.push_back({"the scene", "", sdl, "the solution's picture, but for noise", "another picture", false});
-    }
-    check.message = fmt::format("{} of {} fresh scenes equal to the solution's, but for noise", right, kFreshScenesPerTask) + check.message;
-    check.points = max * right / kFreshScenesPerTask;
-    if (right == kFreshScenesPerTask)
-        check.verdict = Verdict::pass;
-    else if (right > 0 && check.verdict == Verdict::fail)
-        check.verdict = Verdict::partial;
     return check;
 }
 

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "command_fixture.h"
 #include "core/error.h"
-#include "references/command.h"
-#include "references/library.h"
-#include "support/files.h"
 
 namespace rays {
 namespace {
@@ -21,35 +19,17 @@ camera { location <0, 0, -3> right x*4/3 up y direction z }
 #ifdef (Frame) Wall(9, rgb <Frame_u0, Frame_u1, 0.25>) #else Wall(9, rgb 0.5) #end
 )";
 
-class Frames : public testing::Test {
+class Frames : public ReferencesCommand {
 protected:
-    void put(const std::string& name, std::string_view text) { write_atomically(folder_.path() / name, text); }
+    Frames() : ReferencesCommand({4, 3}) {}
 
-    int run(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(),
-                         {"references", "--scenes", folder_.path().string(), "--width", "4", "--height", "3"});
-        std::vector<const char*> argv;
-        for (const std::string& a : arguments) argv.push_back(a.c_str());
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        const int status = references_command(static_cast<int>(argv.size()), argv.data());
-        out_ = testing::internal::GetCapturedStdout();
-        err_ = testing::internal::GetCapturedStderr();
-        return status;
-    }
-
-    bool err_says(const std::string& text) const { return err_.find(text) != std::string::npos; }
-    std::filesystem::path reference() const { return folders_.references() / "5_test/scene.exr"; }
-
-    TemporaryFolder folder_;
-    ReferenceFolders folders_{folder_.path()};
-    std::string out_, err_;
+    std::filesystem::path reference() const { return folders().references() / "5_test/scene.exr"; }
 };
 
 TEST_F(Frames, AreAveragedAndChecked) {
     put("5_test/scene.pov", kScene);
     ASSERT_EQ(run({"--frames", "32"}), kSuccess) << err_;
-    const ManifestEntry entry = load_manifest(folders_.manifest()).entries.at(0);
+    const ManifestEntry entry = load_manifest(folders().manifest()).entries.at(0);
     EXPECT_TRUE(entry.averaged());
     EXPECT_EQ(entry.method, "mean of 32 frames");
     EXPECT_EQ(entry.frames, 32);

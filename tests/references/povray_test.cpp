@@ -3,10 +3,8 @@
 
 #include <cstdlib>
 
+#include "command_fixture.h"
 #include "core/error.h"
-#include "references/command.h"
-#include "support/files.h"
-#include "references/library.h"
 
 namespace rays {
 namespace {
@@ -19,34 +17,14 @@ camera { location <0, 0, -3> right x*4/3 up y direction z }
 sphere { 0, 1 pigment { rgb Tint } finish { ambient 1 diffuse 0 } }
 )";
 
-class References : public testing::Test {
+class References : public ReferencesCommand {
 protected:
+    References() : ReferencesCommand({16, 12}) {}
+
     void SetUp() override {
         put("1_test/ball.pov", kScene);
         put("1_test/tint.inc", "#declare Tint = <0.5, 0.25, 1>;\n");
     }
-
-    void put(const std::string& name, std::string_view text) { write_atomically(folder_.path() / name, text); }
-
-    /// Exit status; what was said goes to out_ and err_.
-    int run(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(),
-                         {"references", "--scenes", folder_.path().string(), "--width", "16", "--height", "12"});
-        std::vector<const char*> argv;
-        for (const std::string& a : arguments) argv.push_back(a.c_str());
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        const int status = references_command(static_cast<int>(argv.size()), argv.data());
-        out_ = testing::internal::GetCapturedStdout();
-        err_ = testing::internal::GetCapturedStderr();
-        return status;
-    }
-
-    ReferenceFolders folders() const { return {folder_.path()}; }
-    bool err_says(const std::string& text) const { return err_.find(text) != std::string::npos; }
-
-    TemporaryFolder folder_;
-    std::string out_, err_;
 };
 
 TEST_F(References, AreMadeOnceAndChecked) {

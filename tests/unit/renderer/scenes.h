@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "../films.h"
 #include "renderer/render.h"
 #include "scene_reader/scene_reader.h"
 
@@ -23,14 +24,6 @@ inline Scene staged(const std::string& text) {
     Scene scene = read_scene_text(text, "test");
     prepare(scene);
     return scene;
-}
-
-inline bool same_bytes(const Film& a, const Film& b) {
-    for (int y = 0; y < a.raster().height; ++y)
-        for (int x = 0; x < a.raster().width; ++x)
-            for (int c = 0; c < 3; ++c)
-                if (a.at(x, y)[c] != b.at(x, y)[c]) return false;
-    return true;
 }
 
 }  // namespace rays::tests

@@ -7,13 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "../films.h"
 #include "renderer/render.h"
 #include "scene_reader/scene_reader.h"
 
 namespace rays::tests {
 
-inline Scene staged(const std::string& text) {
-    Scene scene = read_scene_text("#version 3.7; global_settings { assumed_gamma 1.0 }\n" + text, "test");
+/// A scene's text after its first line.
+inline Scene staged(const std::string& text, const ReadOptions& options = {}) {
+    Scene scene = read_scene_text("#version 3.7; global_settings { assumed_gamma 1.0 }\n" + text, "test", options);
     prepare(scene);
     return scene;
 }
@@ -22,17 +24,7 @@ inline Scene staged(const std::string& text) {
 inline Scene staged_at(const std::string& text, double time) {
     ReadOptions options;
     options.declared = {{"Time", time}};
-    Scene scene = read_scene_text("#version 3.7; global_settings { assumed_gamma 1.0 }\n" + text, "test", options);
-    prepare(scene);
-    return scene;
-}
-
-inline bool same_bytes(const Film& a, const Film& b) {
-    for (int y = 0; y < a.raster().height; ++y)
-        for (int x = 0; x < a.raster().width; ++x)
-            for (int c = 0; c < 3; ++c)
-                if (!(a.at(x, y)[c] == b.at(x, y)[c])) return false;
-    return true;
+    return staged(text, options);
 }
 
 /// How many pixels differ by more than a rounding.
