@@ -70,6 +70,16 @@ test("the policy forbids the network and foreign scripts", async () => {
     await close();
 });
 
+test("the solutions' page shows the gallery, a student's does not", async () => {
+    const {page, close} = await open("good");
+    assert.equal(await page.locator(".heroes img").count(), 5);
+    assert.ok(await page.locator(".heroes img").evaluateAll((all) => all.every((img) => img.naturalWidth > 0 && img.alt)));
+    await close();
+    const student = await open("wrong");
+    assert.equal(await student.page.locator("img[src^='data:image/jpeg']").count(), 0);
+    await student.close();
+});
+
 test("the slider moves by keyboard and by pointer and says where it is", async () => {
     const {page, close} = await open("wrong");
     const slider = page.locator(".check[data-tone=bad] img-comparison-slider").first();

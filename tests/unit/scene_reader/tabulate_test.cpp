@@ -75,6 +75,12 @@ TEST(Tabulate, WhatCannotAlwaysBeFoldedIsNeverFolded) {
     EXPECT_EQ(scene.objects[0].transform, kNone);
 }
 
+TEST(Tabulate, EveryNumberOfAFinishMayChange) {
+    const Scene scene = scene_of("sphere { 0, 1 finish { brilliance 1 + Time glossy 0.5*Time } }");
+    EXPECT_NE(find(scene, "materials[0].finish.brilliance"), nullptr);
+    EXPECT_NE(find(scene, "materials[0].finish.glossy"), nullptr);
+}
+
 TEST(Tabulate, Wavelength) {
     const Scene scene = scene_of("sphere { 0, 1 interior { ior 1.5046 + 4200/(Wavelength*Wavelength) } }");
     const Varying* table = find(scene, "interiors[0].ior");

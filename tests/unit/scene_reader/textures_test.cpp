@@ -169,5 +169,15 @@ TEST(TextureReader, FilterAndTransmit) {
     EXPECT_EQ(worn(scene, 1).pigment.color.transmit, 0.25f);
 }
 
+TEST(Finish, GlossyIsAWordOfOurOwn) {
+    const auto finish_of = [](const std::string& text) { return scene_of(text).materials.at(0).finish; };
+    EXPECT_EQ(finish_of("sphere { 0, 1 finish { reflection 0.5 glossy 0.02 } }").glossy, 0.02f);
+    EXPECT_EQ(finish_of("sphere { 0, 1 finish { reflection 0.5 } }").glossy, 0.0f);
+    // As a name it may stand for a finish, as scenes have it.
+    EXPECT_EQ(finish_of("#declare glossy = finish { phong 0.7 } sphere { 0, 1 finish { glossy } }").phong, 0.7f);
+    for (const char* wrong : {"glossy -0.1", "glossy 1.5"})
+        EXPECT_NE(error_of(std::string("sphere { 0, 1 finish { ") + wrong + " } }").find("glossy lies between"), std::string::npos) << wrong;
+}
+
 }  // namespace
 }  // namespace rays

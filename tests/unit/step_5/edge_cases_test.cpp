@@ -153,7 +153,7 @@ TEST(LightOnItsReceiver, IsFiniteAndNeverBrighterThanItMayBe) {
     for (const char* light : {"<0,0,0>, rgb 1 area_light x*2, z*2, 3, 3", "<0,0,0>, rgb 1 area_light x*2, y*2, 3, 3", "<0,1,0>, rgb 1 area_light x*2, y*2, 3, 3 circular",
                               "<0,0,0>, rgb 1 area_light x*2, z*2, 3, 3 circular orient", "<0,1e-9,0>, rgb 1 area_light x*2, z*2, 3, 3",
                               "<0,0.5,0>, rgb 1 area_light x*2, z*2, 3, 3 circular orient"})
-        for (const char* fading : {"", "fade_distance 1e-3 fade_power 2"}) {
+        for (const char* fading : {"", "fade_distance 0.3 fade_power 2"}) {
             const Scene scene = staged(floor + fmt::format("light_source {{ {} {} }}\n", light, fading));
             for (const Pattern pattern : kPatterns) {
                 const Film film = render(scene, {.raster = {20, 20}, .samples = 16, .pattern = pattern, .threads = 1});
