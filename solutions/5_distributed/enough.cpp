@@ -1,6 +1,5 @@
 // How much is enough: for a pixel, and for a scene.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -1,7 +1,6 @@
 // Sampling patterns: where the n-th of N points lies.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <utility>
 

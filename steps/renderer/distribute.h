@@ -8,7 +8,7 @@
 
 #include "5_distributed/distributed.h"
 #include "renderer/camera_media.h"
-#include "renderer/motion.h"
+#include "renderer/moving_intersector.h"
 #include "renderer/packets.h"
 #include "renderer/render.h"
 
@@ -56,8 +56,6 @@ public:
 
     /// The radiance of one sample, its filter's weight included.
     Radiance sample(int x, int y, const Draw& draw);
-    /// As World::pruned: summed up since it was last set to 0.
-    double& pruned() { return world_->pruned; }
 
     /// The same for samples `first.sample` to `end` - 1, many of which may be traced together, with others of the row:
     /// what(number(sample), radiance, pruned) is called for each one that was added, in this order, some time before flush()

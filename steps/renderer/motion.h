@@ -1,12 +1,9 @@
-// A scene that changes with Time: its numbers are set anew for each sample, and structures are built around everywhere
-// that moving things will be.
+// A scene that changes with Time: its numbers are set anew for each sample.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "4_partitioning/partitioning.h"
 #include "core/scene.h"
 
 namespace rays {
@@ -41,10 +38,5 @@ private:
     std::vector<Number> numbers_;
     std::vector<std::uint32_t> moving_, transforms_, polygons_, meshes_, patches_;  ///< what has to be computed anew
 };
-
-/// What finds hits in a scene whose moving things stand where Motion::set_time last put them. Everything that moves is
-/// partitioned by the box of all its places while the shutter is open; meshes have a structure each, in their own space.
-/// The scene must outlive it; it may be used by one thread, the one that sets the time.
-std::unique_ptr<Intersector> make_moving_intersector(Scene& scene, Motion& motion, Partition partition);
 
 }  // namespace rays

@@ -125,7 +125,6 @@ private:
         const std::size_t first_povray = tries.size();
         add_povray(effect, picture, folder, tries, labels);
         const std::size_t first_frame = tries.size();
-        std::vector<std::vector<int>> frame_counts;
         const auto tried = laboratory_.try_all(tries, laboratory_.long_rounds());
         const auto point = [&](std::size_t i) {
             return Point{.x = tried[i].cpu_s, .y = error_of(tried[i].image, truth), .label = "", .settings = labels[i]};

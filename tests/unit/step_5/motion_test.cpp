@@ -4,7 +4,7 @@
 #include "pictures.h"
 #include "renderer/agreement.h"
 #include "renderer/brute_force.h"
-#include "renderer/motion.h"
+#include "renderer/moving_intersector.h"
 
 namespace rays::tests {
 namespace {
