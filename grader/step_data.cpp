@@ -67,7 +67,7 @@ SceneTask scene_of(const json& j, const Step& step) {
     return scene;
 }
 
-/// {"chart","time","series","scene","width","height","settings":[{"label","add"}],"truth"} or
+/// {"chart","time","series","scene","width","height","settings":[{"label","add","samples"}],"truth"} or
 /// {"chart","time","structures","counts"}
 SpeedTask speed_of(const json& j) {
     SpeedTask task;
@@ -82,7 +82,7 @@ SpeedTask speed_of(const json& j) {
     task.scene = j.at("scene");
     task.width = j.at("width");
     task.height = j.at("height");
-    for (const json& s : j.at("settings")) task.settings.push_back({s.at("label"), s.value("add", "")});
+    for (const json& s : j.at("settings")) task.settings.push_back({s.at("label"), s.value("add", ""), s.value("samples", 0)});
     task.truth = j.value("truth", "");
     return task;
 }

@@ -48,9 +48,13 @@ struct SpeedTask {
     int width = 0, height = 0;
     struct Setting {
         std::string label, add;  ///< of the solution's point, and global settings that make it
+        int samples = 0;         ///< Sobol's; 0: the picture is no mean
     };
     std::vector<Setting> settings;
-    std::string truth;  ///< settings of the solution's picture that errors are differences to; empty: no errors
+    /// Settings of the solution's picture that errors are differences to; kReference: POV-Ray's frames, averaged; empty: no
+    /// errors.
+    std::string truth;
+    static constexpr const char* kReference = "reference";
     // Structures.
     std::vector<std::string> structures;
     std::vector<int> counts;

@@ -13,6 +13,7 @@
 #include "grader/picture.h"
 #include "grader/shoot.h"
 #include "grader/text.h"
+#include "references/averaged.h"
 #include "references/picture_error.h"
 
 namespace rays::grader {
@@ -121,10 +122,11 @@ Limits limits_of(const Bench& bench) {
 
 // ---- Pictures -------------------------------------------------------------------------------------------------------
 
-Job picture_job(const Bench& bench, const SpeedTask& task, SceneFiles files, const std::string& settings) {
+Job picture_job(const Bench& bench, const SpeedTask& task, SceneFiles files, const std::string& settings, int samples = 0) {
     if (!settings.empty()) files.front().bytes += fmt::format("\nglobal_settings {{ {} }}\n", settings);
     Job job = render_job({}, files, {task.width, task.height}, limits_of(bench));
     job.arguments.insert(job.arguments.end(), {"-o", kPicture});
+    if (samples > 0) job.arguments.insert(job.arguments.end(), {"--pattern", "sobol", "--samples", std::to_string(samples)});
     job.outputs = {kPicture};
     return job;
 }
@@ -137,23 +139,41 @@ RgbImage picture_of(const JobResult& result, const SpeedTask& task) {
     return std::move(decoded.picture);
 }
 
+/// What errors of a task's pictures are differences to.
+class Truth {
+public:
+    Truth(const Bench& bench, const SpeedTask& task, const SceneFiles& files) {
+        if (task.truth == SpeedTask::kReference) {
+            reference_ = load_averaged_reference(
+                (bench.project.references() / task.scene).replace_extension(".exr"));
+        } else {
+            picture_ = picture_of(run(bench, bench.solution, {picture_job(bench, task, files, task.truth)}).last, task);
+        }
+    }
+    double error_of(const RgbImage& picture) const {
+        return reference_ ? picture_error(picture, *reference_) : picture_error(picture, picture_);
+    }
+
+private:
+    std::optional<AveragedReference> reference_;
+    RgbImage picture_;
+};
+
 void time_pictures(const Bench& bench, const SpeedTask& task, std::vector<SpeedPoint>& points) {
     const SceneFiles files = scene_files(bench.project.scenes() / task.scene);
-    std::optional<RgbImage> truth;
+    std::optional<Truth> truth;
     for (const auto& setting : task.settings) {
         SpeedPoint point{task.chart, task.series, setting.label};
         point.time = task.time;
         points.push_back(attempted(std::move(point), [&](SpeedPoint& p) {
-            const JobResult result = compare(bench, {picture_job(bench, task, files, setting.add)}, p);
+            const JobResult result = compare(bench, {picture_job(bench, task, files, setting.add, setting.samples)}, p);
             const RgbImage picture = picture_of(result, task);
             if (task.truth.empty()) return;
-            if (!truth)
-                truth =
-                    picture_of(run(bench, bench.solution, {picture_job(bench, task, files, task.truth)}).last, task);
-            const double error = picture_error(picture, *truth);
+            if (!truth) truth.emplace(bench, task, files);
+            const double error = truth->error_of(picture);
             if (!std::isfinite(error)) throw Finding{Verdict::fail, "the picture is no number somewhere"};
             p.error = error;
-            p.against = task.truth;
+            if (task.truth != SpeedTask::kReference) p.against = task.truth;
         }));
     }
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstdlib>
 
 namespace rays::grader {
@@ -11,19 +12,29 @@ namespace {
 constexpr std::size_t kMostNumbers = 16384;
 constexpr std::size_t kLongestLine = kMostNumbers * 25;
 
+// A number as strtod reads it; what from_chars leaves to it (a plus sign, hexadecimal digits, numbers beyond all doubles)
+// is rare, and from_chars is four times as fast. Null when there is none.
+const char* parse_number(const char* at, const char* end, double& value) {
+    const auto [next, problem] = std::from_chars(at, end, value);
+    if (problem == std::errc() && (next == end || *next == ' ')) return next;
+    char* after = nullptr;
+    value = std::strtod(at, &after);
+    return after == at || (*after != ' ' && *after != '\0') ? nullptr : after;
+}
+
 // All of the words as numbers; false when one is none.
 bool parse_numbers(std::string_view words, std::vector<double>& numbers) {
-    std::string text(words);
-    for (const char* at = text.c_str(); *at != '\0';) {
+    const std::string text(words);
+    const char* const end = text.c_str() + text.size();
+    for (const char* at = text.c_str(); at != end;) {
         if (*at == ' ') {
             ++at;
             continue;
         }
-        char* end = nullptr;
-        const double value = std::strtod(at, &end);
-        if (end == at || (*end != ' ' && *end != '\0') || numbers.size() == kMostNumbers) return false;
+        double value = 0;
+        at = numbers.size() < kMostNumbers ? parse_number(at, end, value) : nullptr;
+        if (!at) return false;
         numbers.push_back(value);
-        at = end;
     }
     return !numbers.empty();
 }

@@ -1,11 +1,17 @@
 #include "references/picture_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace rays {
 namespace {
+
+void expect_same_size(const RgbImage& picture, const RgbImage& reference) {
+    if (picture.pixels.size() != reference.pixels.size() || picture.raster.width != reference.raster.width)
+        throw std::invalid_argument("pictures of different sizes cannot be compared");
+}
 
 /// To 11 significant bits.
 double in_half(double value) {
@@ -18,8 +24,7 @@ double in_half(double value) {
 }  // namespace
 
 double picture_error(const RgbImage& picture, const RgbImage& reference) {
-    if (picture.pixels.size() != reference.pixels.size() || picture.raster.width != reference.raster.width)
-        throw std::invalid_argument("pictures of different sizes cannot be compared");
+    expect_same_size(picture, reference);
     double differences = 0, all = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         for (std::size_t lane = 0; lane < 3; ++lane) {
@@ -31,6 +36,22 @@ double picture_error(const RgbImage& picture, const RgbImage& reference) {
     }
     if (!std::isfinite(differences) || !(all > 0)) return std::numeric_limits<double>::infinity();
     return std::sqrt(differences / all);
+}
+
+double picture_error(const RgbImage& picture, const AveragedReference& reference) {
+    expect_same_size(picture, reference.mean);
+    double differences = 0, own = 0, all = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        for (std::size_t lane = 0; lane < 3; ++lane) {
+            const double truth = reference.mean.pixels[i][lane], error = reference.error.pixels[i][lane];
+            const double difference = picture.pixels[i][lane] - truth;
+            differences += difference * difference;
+            own += error * error;
+            all += truth * truth;
+        }
+    }
+    if (!std::isfinite(differences) || !(all > 0)) return std::numeric_limits<double>::infinity();
+    return std::sqrt(std::max(differences - own, own / 16) / all);
 }
 
 }  // namespace rays

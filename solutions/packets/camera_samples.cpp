@@ -25,22 +25,31 @@ __m256i turned(__m256i x, std::uint32_t key) {
     return times_itself(times_itself(x, 0x05526c56u), 0x53a22864u);
 }
 
-template <int by>
-__m256i fold(__m256i x, std::uint32_t mask) {
-    return _mm256_xor_si256(x, _mm256_and_si256(_mm256_srli_epi32(x, by), all(mask)));
-}
-__m256i pascal(__m256i x) {
-    return fold<16>(fold<8>(fold<4>(fold<2>(fold<1>(x, 0x55555555u), 0x33333333u), 0x0f0f0f0fu), 0x00ff00ffu), 0x0000ffffu);
+/// Sobol's second dimension as step 5 has it, its bits reversed.
+std::uint32_t second(std::uint32_t index) {
+    std::uint32_t x = index;
+    x ^= x >> 1 & 0x55555555u;
+    x ^= x >> 2 & 0x33333333u;
+    x ^= x >> 4 & 0x0f0f0f0fu;
+    x ^= x >> 8 & 0x00ff00ffu;
+    return x ^ (x >> 16 & 0x0000ffffu);
 }
 
-__m256i third_or_fourth(std::size_t dimension, __m256i index) {
-    const int* table = reinterpret_cast<const int*>(kSobol.table(dimension));
-    const __m256i byte = all(255);
-    __m256i sum = _mm256_i32gather_epi32(table, _mm256_and_si256(index, byte), 4);
-    sum = _mm256_xor_si256(sum, _mm256_i32gather_epi32(table + 256, _mm256_and_si256(_mm256_srli_epi32(index, 8), byte), 4));
-    sum = _mm256_xor_si256(sum, _mm256_i32gather_epi32(table + 512, _mm256_and_si256(_mm256_srli_epi32(index, 16), byte), 4));
-    return _mm256_xor_si256(sum, _mm256_i32gather_epi32(table + 768, _mm256_srli_epi32(index, 24), 4));
+/// What a dimension makes of the lowest three bits.
+struct LowBits {
+    alignas(32) std::uint32_t of[kLanes];
+
+    __m256i at(__m256i index) const {
+        return _mm256_permutevar8x32_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(of)), index);
+    }
+};
+constexpr LowBits kSecond{{0, 1, 3, 2, 5, 4, 6, 7}};
+constexpr LowBits low_bits_of(std::size_t dimension) {
+    LowBits low{};
+    for (std::uint32_t i = 0; i < kLanes; ++i) low.of[i] = kSobol.at(dimension, i);
+    return low;
 }
+constexpr LowBits kThird = low_bits_of(0), kFourth = low_bits_of(1);
 
 Reals fraction(__m256i x) {
     const __m256i upper = _mm256_srli_epi32(x, 8);
@@ -74,25 +83,39 @@ Vec2s disc_points(Vec2s u) {
     return {select(beside, along, across), select(beside, across, along)};
 }
 
-void store(double (&columns)[3][SampleRays::kMost], int at, int count, const Vec3s& vectors) {
-    const Spread3 spread(vectors);
-    for (int i = 0; i < count; ++i)
-        for (int a = 0; a < 3; ++a) columns[a][at + i] = spread[i][a];
+/// All eight, wanted or not: SampleRays has room for them.
+void store(double* to, Reals numbers) {
+    _mm256_storeu_pd(to, numbers.lo);
+    _mm256_storeu_pd(to + 4, numbers.hi);
+}
+template <class Columns>
+void store(Columns* columns, int at, const Vec3s& vectors) {
+    for (int a = 0; a < 3; ++a) store(&columns[a][static_cast<std::size_t>(at)], vectors[a]);
 }
 
 }  // namespace
 
-Vec2s sobol_points(const Draw& first) {
-    const std::uint64_t keys = mixed(key_of(first), 1);
-    Draw both = first;
-    both.dimension &= ~1u;
-    const __m256i samples = _mm256_add_epi32(all(first.sample), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
-    const __m256i index = reversed(turned(reversed(samples), static_cast<std::uint32_t>(key_of(both))));
+SobolPoints::SobolPoints(const Draw& first)
+    : first_(first),
+      samples_(reversed(_mm256_add_epi32(all(first.sample), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)))) {}
+
+// Sobol's dimensions are linear: what the common bits of the eight numbers make is computed once and added to what the
+// lowest three make, by a table of eight.
+Vec2s SobolPoints::of(std::uint32_t dimension) {
+    Draw draw = first_;
+    if (const std::uint32_t pair = dimension & ~1u; pair != pair_) {
+        draw.dimension = pair_ = pair;
+        index_ = reversed(turned(samples_, static_cast<std::uint32_t>(key_of(draw))));
+        common_ = static_cast<std::uint32_t>(_mm256_cvtsi256_si32(index_)) & ~7u;
+    }
+    draw.dimension = dimension;
+    const std::uint64_t keys = mixed(key_of(draw), 1);
     const auto x = static_cast<std::uint32_t>(keys), y = static_cast<std::uint32_t>(keys >> 32);
-    if (first.dimension % 2 == 0)
-        return {fraction(reversed(turned(index, x))), fraction(reversed(turned(pascal(index), y)))};
-    return {fraction(reversed(turned(reversed(third_or_fourth(0, index)), x))),
-            fraction(reversed(turned(reversed(third_or_fourth(1, index)), y)))};
+    const auto number = [&](std::uint32_t common, const LowBits& low) { return _mm256_xor_si256(all(common), low.at(index_)); };
+    if (dimension % 2 == 0)
+        return {fraction(reversed(turned(index_, x))), fraction(reversed(turned(number(second(common_), kSecond), y)))};
+    return {fraction(reversed(turned(reversed(number(kSobol.at(0, common_), kThird)), x))),
+            fraction(reversed(turned(reversed(number(kSobol.at(1, common_), kFourth)), y)))};
 }
 
 CameraSamples::CameraSamples(const Scene& scene, const Raster& raster, const Purposes& purposes)
@@ -129,17 +152,14 @@ Rays CameraSamples::through_lens(const Rays& pinhole, Vec2s lens) const {
 }
 
 void CameraSamples::add(int x, int y, const Draw& first, int count, SampleRays& rays) const {
-    const auto points = [&](Purpose purpose, std::uint32_t number = 0) {
-        Draw draw = first;
-        draw.dimension = dimension_of(purpose, number, purposes_);
-        return sobol_points(draw);
-    };
+    SobolPoints sobol(first);
+    const auto points = [&](Purpose purpose, std::uint32_t number = 0) { return sobol.of(dimension_of(purpose, number, purposes_)); };
     const int at = rays.count;
     const Vec2s pixel = points(Purpose::pixel);
     const Vec2s offset{pixel.x - Reals(0.5), pixel.y - Reals(0.5)};
     const Rays chosen = camera_rays(x, y, offset, purposes_.lens ? points(Purpose::lens) : Vec2s());
-    store(rays.origin, at, count, chosen.origin);
-    store(rays.direction, at, count, normalize(chosen.direction));
+    store(rays.origin, at, chosen.origin);
+    store(rays.direction, at, normalize(chosen.direction));
     for (std::uint32_t l = 0; 3 * l < rays.light.size(); ++l) {
         const Light& light = scene_.lights[l];
         Vec3s place(light.location);
@@ -153,9 +173,7 @@ void CameraSamples::add(int x, int y, const Draw& first, int count, SampleRays& 
             }
             place = place + (u.x * Vec3s(light.axis_u) + u.y * Vec3s(light.axis_v));
         }
-        const Spread3 spread(place);
-        for (int i = 0; i < count; ++i)
-            for (int a = 0; a < 3; ++a) rays.light[3 * l + std::size_t(a)][std::size_t(at + i)] = spread[i][a];
+        store(&rays.light[3 * l], at, place);
     }
     rays.count += count;
 }

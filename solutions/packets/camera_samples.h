@@ -13,8 +13,24 @@ struct Vec2s {
     Reals x, y;
 };
 
-/// Eight samples that follow each other, the first of which is `first`, see it at these points: sobol_point's.
-Vec2s sobol_points(const Draw& first);
+/// The points of eight samples of a pixel that follow each other: sobol_point's.
+class SobolPoints {
+public:
+    /// `first` is the draw of the first one, the number of which is a multiple of eight: all eight are alike in their upper
+    /// bits, and so are the numbers that they are shuffled to.
+    explicit SobolPoints(const Draw& first);
+
+    Vec2s of(std::uint32_t dimension);
+
+private:
+    static constexpr std::uint32_t kNoPair = ~0u;
+
+    Draw first_;
+    __m256i samples_;               ///< bits reversed
+    std::uint32_t pair_ = kNoPair;  ///< the even one of the two dimensions that share...
+    __m256i index_;                 ///< ...these shuffled numbers...
+    std::uint32_t common_ = 0;      ///< ...and all of their bits but the lowest three
+};
 
 /// What chooses them in a scene that this can be done for: Sobol points, box filter, a round lens or none, lights with a point
 /// or a flat area.

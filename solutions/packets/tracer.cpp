@@ -206,7 +206,7 @@ Numbers Tracer::meet(Frame& f) const {
             f.material[n] = hits.material[i];
         });
     };
-    if (f.batch.level == 0 && !samples_)  // camera rays go the same way as they are
+    if (f.batch.level == 0)  // camera rays go the same way as they are
         each_chunk(all_of(f.batch.count), meet_chunk);
     else
         each_chunk_by_way(f.batch.direction, f.batch.count, meet_chunk);

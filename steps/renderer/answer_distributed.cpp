@@ -13,13 +13,16 @@ namespace {
 constexpr int kMostPoints = 4096;
 constexpr std::uint32_t kMostSamples = 1u << 30;
 
-std::string text(const Vec2& v) { return fmt::format("{:.17g} {:.17g}", v.x, v.y); }
 using questions::text;
+std::string text(const Vec2& v) { return text(v.x) + " " + text(v.y); }
 
 /// One after the other, on one line.
 class Line {
 public:
-    void add(const std::string& words) { all_ += all_.empty() ? words : " " + words; }
+    void add(const std::string& words) {
+        if (!all_.empty()) all_ += ' ';
+        all_ += words;
+    }
     std::string take() { return std::move(all_); }
 
 private:

@@ -150,7 +150,7 @@ void SampleTracer::put(int x, int y, Draw draw, std::uint32_t count) {
     const int at = rays_.count;
     if (chooser_) chooser_->add(x, y, draw, static_cast<int>(count), rays_);
     for (int i = at; i < at + static_cast<int>(count); ++i, ++draw.sample) {
-        draws_[i] = draw;
+        if (rays_.roughness) draws_[i] = draw;
         weights_[i] = 1;
         pruned_[i] = 0;
         if (!chooser_) put_one(x, y, draw);

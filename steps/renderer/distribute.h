@@ -63,7 +63,7 @@ public:
     template <class Number, class What>
     void add(int x, int y, Draw first, std::uint32_t end, Number number, What what) {
         while (first.sample < end) {
-            const std::uint32_t run = std::min(end - first.sample, kRun);
+            const std::uint32_t run = std::min(end - first.sample, kRun - first.sample % kRun);
             if (!tracer_)
                 add_single(x, y, first, run, number, what);
             else
@@ -80,7 +80,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kRun = 8;  ///< samples are chosen together
+    static constexpr std::uint32_t kRun = SampleRays::kTogether;
 
     template <class Number, class What>
     void add_single(int x, int y, Draw draw, std::uint32_t count, Number number, What what) {

@@ -22,11 +22,13 @@ struct Block {
 /// Rays of samples, each with its own tree: where it starts, where the lights are for it, how its rough surfaces tilt.
 struct SampleRays {
     static constexpr int kMost = Block::kSize;
+    static constexpr int kTogether = 8;              ///< so many at most are chosen at a time...
+    static constexpr int kRoom = kMost + kTogether;  ///< ...and may be written, though fewer count
 
     int count = 0;
-    double origin[3][kMost], direction[3][kMost];  ///< directions of unit length
+    double origin[3][kRoom], direction[3][kRoom];  ///< directions of unit length
     /// Component a of the place of light l for ray i: light[3 * l + a][i]. Empty: where the scene has them.
-    std::vector<std::array<double, kMost>> light;
+    std::vector<std::array<double, kRoom>> light;
     /// Null: all surfaces are smooth.
     class Roughness {
     public:
@@ -39,7 +41,8 @@ struct SampleRays {
 class SampleChooser {
 public:
     virtual ~SampleChooser() = default;
-    /// Puts `count` samples of a pixel, at most eight, behind the rays that are there; `first` is the draw of the first one.
+    /// Puts `count` samples of a pixel, at most kTogether, behind the rays that are there; `first` is the draw of the first one,
+    /// whose number is a multiple of kTogether.
     virtual void add(int x, int y, const Draw& first, int count, SampleRays& rays) const = 0;
 };
 

@@ -1,7 +1,13 @@
 #include "renderer/picture_file.h"
 
-#include <dlfcn.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "core/error.h"
@@ -9,25 +15,67 @@
 namespace rays {
 namespace {
 
-using WriteFunction = const char* (*)(const char* path, int width, int height, const float* rgba);
+/// rays-formats at work on one picture, at the other end of a socket.
+class Formats {
+public:
+    Formats(const std::string& path, const Raster& raster) {
+        // Beside the program itself, wherever it was started from.
+        const std::string program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "rays-formats";
+        int ends[2];
+        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw InputError(std::string("no socket: ") + std::strerror(errno));
+        socket_ = ends[0];
+        posix_spawn_file_actions_t actions;
+        ::posix_spawn_file_actions_init(&actions);
+        ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+        ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+        std::string words[] = {program, path, std::to_string(raster.width), std::to_string(raster.height)};
+        char* argv[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
+        const int problem = ::posix_spawn(&child_, program.c_str(), &actions, nullptr, argv, environ);
+        ::posix_spawn_file_actions_destroy(&actions);
+        ::close(ends[1]);
+        if (problem != 0) {
+            ::close(socket_);
+            throw InputError("only .exr can be written: " + program + ": " + std::strerror(problem));
+        }
+    }
+    ~Formats() { ::close(socket_); }
+    Formats(const Formats&) = delete;
+    Formats& operator=(const Formats&) = delete;
 
-WriteFunction load_formats() {
-    // Beside the program itself, wherever it was started from.
-    const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-    const std::string library = folder / "librays-formats.so";
-    void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle) throw InputError("only .exr can be written: " + std::string(dlerror()));
-    return reinterpret_cast<WriteFunction>(dlsym(handle, "rays_write_picture"));
-}
+    /// What went wrong; empty when nothing did.
+    std::string write(const char* pixels, std::size_t size) {
+        while (size > 0) {
+            const auto sent = ::send(socket_, pixels, size, MSG_NOSIGNAL);
+            if (sent < 0 && errno == EINTR) continue;
+            if (sent <= 0) break;  // it says why, or how it ended does
+            pixels += sent;
+            size -= static_cast<std::size_t>(sent);
+        }
+        ::shutdown(socket_, SHUT_WR);
+        std::string problem;
+        char text[512];
+        for (ssize_t got = 0; (got = ::read(socket_, text, sizeof text)) > 0 || (got < 0 && errno == EINTR);)
+            if (got > 0) problem.append(text, static_cast<std::size_t>(got));
+        int status = 0;
+        while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+        }
+        return problem.empty() && status != 0 ? "rays-formats failed" : problem;
+    }
+
+private:
+    int socket_ = -1;
+    pid_t child_ = -1;
+};
 
 }  // namespace
 
 void write_picture(const Film& film, const std::string& path) {
     if (std::filesystem::path(path).extension() == ".exr") return write_exr(film, path);
-    static const WriteFunction write = load_formats();
-    const auto [width, height] = film.raster();
-    if (const char* problem = write(path.c_str(), width, height, film.at(0, 0).lane))
-        throw InputError(path + ": cannot write the picture (" + problem + ")");
+    const Raster raster = film.raster();
+    const auto* pixels = reinterpret_cast<const char*>(film.at(0, 0).lane);
+    const std::size_t size = sizeof(Radiance) * static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+    const std::string problem = Formats(path, raster).write(pixels, size);
+    if (!problem.empty()) throw InputError(path + ": cannot write the picture (" + problem + ")");
 }
 
 }  // namespace rays

@@ -59,8 +59,9 @@ private:
     std::string verb_;
 };
 
-inline std::string text(Real v) { return fmt::format("{:.17g}", v); }
-inline std::string text(const Vec3& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v.x, v.y, v.z); }
+/// The shortest text that reads back as the same double.
+inline std::string text(Real v) { return fmt::format("{}", static_cast<double>(v)); }
+inline std::string text(const Vec3& v) { return text(v.x) + " " + text(v.y) + " " + text(v.z); }
 inline std::string text(const Radiance& v) { return fmt::format("{:.9g} {:.9g} {:.9g}", v[0], v[1], v[2]); }
 inline std::string text(bool v) { return v ? "1" : "0"; }
 

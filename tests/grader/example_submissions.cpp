@@ -104,7 +104,7 @@ fs::path example_program(const Project& project, const std::string& name, const 
     const Built built = builder.link(objects, folder / "program");
     if (!built.good) throw std::runtime_error(built.message);
     // What writes PNG is looked for beside the program.
-    fs::copy_file(project.program("librays-formats.so"), folder / "librays-formats.so");
+    fs::copy_file(project.program("rays-formats"), folder / "rays-formats");
     return built.file;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/step_data.h"
+#include "references/averaged.h"
 #include "tools.h"
 
 namespace rays::grader {
@@ -58,7 +59,7 @@ protected:
                        "1_ray_casting/one_sphere.pov",
                        kWidth,
                        kHeight,
-                       {{"depth 3", "max_trace_level 3"}},
+                       {{"depth 3", "max_trace_level 3", 0}},
                        "max_trace_level 20",
                        {},
                        {}}};
@@ -92,6 +93,28 @@ TEST_F(StudentSpeedTest, SettingsStandAtTheEndOfTheScene) {
     // Both sides render the scene with the setting; who asks for the truth is the solution alone.
     const std::string look = "tail -n 1 one_sphere.pov | grep -q 'global_settings { max_trace_level 3 }' || exit 1\n";
     EXPECT_EQ(pictures(look + painting(student_folder, 0.5f)).error, 0.0);
+}
+
+TEST_F(StudentSpeedTest, AMeanIsHeldAgainstAveragedFramesNotTheSolution) {
+    const AveragedReference truth = load_averaged_reference(project.references() / "5_distributed/edges.exr");
+    const auto [width, height] = truth.raster();
+    const auto painting_of = [](const TemporaryFolder& folder, RgbImage picture, float times) {
+        for (Rgb& pixel : picture.pixels)
+            for (float& lane : pixel) lane *= times;
+        write_atomically(folder.path() / "picture", exr_bytes(picture));
+        return "case \"$*\" in *'--pattern sobol --samples 4'*) ;; *) exit 1 ;; esac\ncp " +
+               (folder.path() / "picture").string() + " picture.exr\n";
+    };
+    step.speed = {{"5.edges.time", "Sobol", "x", "5_distributed/edges.pov", width, height, {{"4 samples", "", 4}}, SpeedTask::kReference, {}, {}}};
+    // The solution's picture is black: nobody looks at it.
+    const auto error = [&](float times) {
+        const auto points = timed(painting_of(solution_folder, truth.mean, 0), painting_of(student_folder, truth.mean, times));
+        EXPECT_EQ(points.at(0).verdict, Verdict::pass) << points.at(0).message;
+        EXPECT_EQ(points.at(0).against, "");
+        return points.at(0).error.value_or(-1);
+    };
+    EXPECT_NEAR(error(1.25f), 0.25, 1e-4);
+    EXPECT_LT(error(1), 0.002) << "the reference's own error";
 }
 
 TEST_F(StudentSpeedTest, AStructureHasTheTimeOfItsRaysAlone) {
@@ -153,8 +176,10 @@ TEST(SpeedTasks, AreWhatTheChartsHave) {
             if (!task.scene.empty()) {
                 EXPECT_TRUE(fs::exists(find_project().scenes() / task.scene)) << task.scene;
             }
+            for (const auto& setting : task.settings)
+                EXPECT_EQ(setting.samples > 0, task.truth == SpeedTask::kReference) << task.chart << ": means are held against averaged frames";
         }
-    EXPECT_GE(tasks, 6u) << "every step of 1 to 4 has some";
+    EXPECT_GE(tasks, 11u) << "every step of 1 to 5 has some";
 }
 
 }  // namespace

@@ -22,13 +22,10 @@ public:
                         of_[1][byte][value] ^= fourth[8 * byte + bit];
                     }
     }
-    std::uint32_t at(std::size_t dimension, std::uint32_t index) const {
+    constexpr std::uint32_t at(std::size_t dimension, std::uint32_t index) const {
         const auto& of = of_[dimension];
         return of[0][index & 255] ^ of[1][index >> 8 & 255] ^ of[2][index >> 16 & 255] ^ of[3][index >> 24];
     }
-
-    /// For lanes: 1024 numbers of a dimension, 256 for each byte.
-    const std::uint32_t* table(std::size_t dimension) const { return of_[dimension][0]; }
 
 private:
     std::uint32_t of_[2][4][256] = {};
