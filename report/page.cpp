@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 const char* const kStyles[] = {"base.css",  "layout.css", "checks.css", "pictures.css",
                                "costs.css", "charts.css", "print.css"};
 // In this order: each builds on those before it.
-const char* const kScripts[] = {"dom.js",         "words.js",        "data.js",    "colors.js", "bits.js",
-                                "foretelling.js", "pixels.js",       "picture.js", "viewer.js", "statistics.js", "axes.js",
-                                "chart.js",       "marks.js",        "scatter.js", "ratios.js", "student_points.js",
-                                "speed.js",       "tree_picture.js", "trees.js",   "check.js",  "costs.js",
-                                "cells.js",       "overview.js",     "steps.js",   "theme.js",  "main.js"};
+const char* const kScripts[] = {
+    "dom.js",     "words.js",   "data.js",           "colors.js",     "bits.js",         "foretelling.js", "pixels.js",
+    "near.js",    "picture.js", "viewer.js",         "statistics.js", "axes.js",         "chart.js",       "marks.js",
+    "scatter.js", "ratios.js",  "student_points.js", "speed.js",      "tree_picture.js", "trees.js",       "check.js",
+    "costs.js",   "cells.js",   "overview.js",       "steps.js",      "theme.js",        "main.js"};
 
 constexpr int kSteps = 8;
 

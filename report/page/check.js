@@ -5,7 +5,7 @@ R.checkArticle = (step, check) => {
     const scene = check.image ? R.pictureScene(check) : null;
     const more = R.h("div", {class: "more", id: `${check.anchor}-more`});
     const left = scene && R.h("div", {class: "view-left"}, R.comparison(scene, check.title));
-    const views = scene && R.h("div", {class: check.image.embedded?.student ? "views" : "views alone"}, left);
+    const views = scene && R.whenNear(R.h("div", {class: check.image.embedded?.student ? "views" : "views alone"}, left), scene);
     const article = R.h("article", {class: "check", id: check.anchor, "data-tone": check.tone, "data-state": good ? "pass" : "open", "aria-labelledby": `${check.anchor}-title`});
     const build = () => {
         if (more.hasChildNodes()) return;

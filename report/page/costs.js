@@ -22,15 +22,18 @@ R.costView = (cost) => {
             listeners.forEach((run) => run(what));
         },
         at: (map, lane) => (map.picture && view.x !== null ? map.picture.rgb[3 * (view.y * view.width + view.x) + lane] : null),
+        blobs: maps.map((map) => map.raw.embedded),
+        unpack: () => {
+            let top = 10;
+            for (const map of maps) {
+                const picture = R.pixels.get(map.raw.embedded);
+                if (!picture || picture.width !== view.width || picture.height !== view.height) continue;
+                map.picture = picture;
+                for (const v of picture.rgb) if (v > top && Number.isFinite(v)) top = v;
+            }
+            view.change({top, ready: true, ...(view.worst ?? {})});
+        },
     };
-    R.pending.push(Promise.all(maps.map(async (map) => {
-        const picture = await R.pixels.get(map.raw.embedded);
-        if (picture && picture.width === view.width && picture.height === view.height) map.picture = picture;
-    })).then(() => {
-        let top = 10;
-        for (const map of maps) for (const v of map.picture?.rgb ?? []) if (v > top && Number.isFinite(v)) top = v;
-        view.change({top, ready: true, ...(view.worst ?? {})});
-    }));
     return view;
 };
 
@@ -116,6 +119,6 @@ R.costMaps = (step) => {
     return R.h("div", {class: "group", "data-state": "pass", id: `${step.anchor}-costs`}, R.h("h3", {text: "What a pixel costs, structure by structure"}),
         R.h("div", {class: "checks cost-scenes"}, ...R.costScenes(step).map((cost) => {
             const view = R.costView(cost), name = R.sceneName(cost.scene), title = name && name[0].toUpperCase() + name.slice(1);
-            return R.h("section", {class: "panel costs"}, R.h("h4", {text: title}), R.costBoard(view, title), R.costReadout(view), R.costScale(view), R.visitedCells(view));
+            return R.h("section", {class: "panel costs"}, R.h("h4", {text: title}), R.whenNear(R.costBoard(view, title), view), R.costReadout(view), R.costScale(view), R.visitedCells(view));
         })));
 };

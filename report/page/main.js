@@ -7,7 +7,7 @@
     document.getElementById("main").append(...(graded ? [R.hero(), R.heroes(), R.galleryWall(), R.rubric(), ...R.steps.map(R.stepSection), R.speed(),
         R.h("p", {class: "nothing-failed", text: R.needAttention.length ? "" : "Nothing failed: there is nothing to show under this filter."}), R.colophon()] : [R.speed({heading: "h1"}), R.colophon()]).filter(Boolean));
     R.preparePrint();
-    Promise.all(R.pending).then(() => (document.documentElement.dataset.ready = "true"));
+    R.unpackNear(document.getElementById("main"));
     const goThere = () => {
         const target = document.getElementById(location.hash.slice(1));
         const fold = target?.closest("details");

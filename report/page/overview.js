@@ -55,7 +55,7 @@ R.galleryWall = () => {
         const whose = check.image.embedded.student ? "student" : "reference";
         const name = check.title;
         return R.h("li", {"data-state": check.tone === "good" ? "pass" : "open"}, R.h("button", {type: "button", class: "tile", "data-tone": check.tone, "aria-label": `Show ${name}: ${R.verdict(check.verdict).label}`, on: {click: () => R.show(checks, index)}},
-            R.frameCanvas(scene, whose, name), R.h("span", {class: "tile-name"}, R.badge(check.verdict, {small: true}), R.h("span", {text: name}), whose === "reference" && R.h("em", {text: "POV-Ray's"}))));
+            R.whenNear(R.frameCanvas(scene, whose, name), scene), R.h("span", {class: "tile-name"}, R.badge(check.verdict, {small: true}), R.h("span", {text: name}), whose === "reference" && R.h("em", {text: "POV-Ray's"}))));
     });
     return R.h("section", {class: "gallery", id: "pictures", "aria-labelledby": "pictures-title"},
         R.h("div", {class: "section-head"}, R.h("h2", {id: "pictures-title", text: "Pictures"}),
@@ -77,6 +77,7 @@ R.show = (checks, start) => {
             R.h("header", {}, R.badge(check.verdict), R.h("div", {}, R.h("h2", {text: check.title}), check.shows && R.h("p", {class: "shows", text: check.shows})), R.h("span", {class: "count", text: `${index + 1} / ${checks.length}`})),
             R.h("div", {class: map ? "show-stage two" : "show-stage", style: size},
                 R.h("div", {class: "view-left"}, R.comparison(scene, check.title), R.h("div", {class: "look"}, R.pictureControls(scene), R.inspector(scene))), map || null));
+        scene.unpack();
     };
     const button = (text, label, run) => R.h("button", {type: "button", text, "aria-label": label, on: {click: run}});
     dialog.append(body, R.h("div", {class: "show-buttons"}, button("‹", "Previous picture", () => go(-1)), button("›", "Next picture", () => go(1)), button("✕", "Close", () => dialog.close())));

@@ -20,13 +20,15 @@ R.pictureScene = (check) => {
             listeners.forEach((run) => run(what));
         },
     };
-    const size = image.embedded?.reference ?? image.embedded?.student ?? image;
+    const embedded = R.object(image.embedded), size = embedded.reference ?? embedded.student ?? image;
     if (R.isNumber(size.width) && R.isNumber(size.height)) [scene.width, scene.height] = [size.width, size.height];
-    scene.ready = R.pixels.pair(image).then(({student, reference}) => {
+    scene.blobs = [embedded.reference, embedded.student, R.statistics(check)?.embedded];
+    scene.unpack = () => {
+        const {student, reference} = R.pixels.pair(image);
         const sameSize = student && reference && student.width === reference.width && student.height === reference.height;
         scene.change({student, reference, comparable: Boolean(sameSize)});
-    });
-    R.pending.push(scene.ready);
+        scene.statistics?.unpack();
+    };
     R.addStatistics(scene, check);
     return scene;
 };
@@ -35,8 +37,6 @@ R.mapOf = (scene, title) => (R.hasZ(scene) ? R.zMap(scene, title) : R.errorMap(s
 R.hasZ = (scene) => Boolean(scene.statistics && R.text(scene.statistics.raw.z_picture));
 /** Whose picture stands on the left. */
 R.ownName = (scene) => (scene.statistics && R.isNumber(scene.statistics.raw.seeds) ? `${R.who}, mean of ${scene.statistics.raw.seeds}` : R.who);
-
-R.pending = [];  // what has to be decoded before the page is whole
 
 /** Largest difference of a pixel's three channels in units of what is allowed; NaN when one is not a number. On which
     side of 1 it lies was decided with the full floats: the page's are rounded. */

@@ -21,18 +21,9 @@ R.pixels = (() => {
             }
     };
 
-    // Unpacking takes a second or two altogether; the page stays alive meanwhile.
-    let breathed = performance.now();
-    const breath = async () => {
-        if (performance.now() - breathed < 50) return;
-        await new Promise((done) => setTimeout(done));
-        breathed = performance.now();
-    };
-
     const known = new Map();
-    const decode = async (blob) => {
-        const n = blob.width * blob.height, base = blob.base ? await known.get(blob.base) : null;
-        await breath();
+    const decode = (blob) => {
+        const n = blob.width * blob.height, base = blob.base ? known.get(blob.base) : null;
         const reader = R.bits.reader(R.unpack91(document.getElementById(blob.id).textContent));
         const planes = R.foretelling.planes(reader, blob.width, n, base?.planes);
         const picture = {width: blob.width, height: blob.height, mantissa: blob.mantissa, planes, rgb: new Float32Array(3 * n), marked: () => false, explained: () => false};
@@ -54,16 +45,16 @@ R.pixels = (() => {
     };
 
     const get = (blob) => {
-        if (!blob) return Promise.resolve(null);
+        if (!blob) return null;
         if (!known.has(blob.id)) known.set(blob.id, decode(blob));
         return known.get(blob.id);
     };
 
     /** {student, reference} of a check's image, either may be null. */
-    const pair = async (image) => {
+    const pair = (image) => {
         const embedded = R.object(image.embedded);
-        const reference = await get(embedded.reference);
-        return {reference, student: await get(embedded.student)};
+        const reference = get(embedded.reference);
+        return {reference, student: get(embedded.student)};
     };
     return {get, pair};
 })();

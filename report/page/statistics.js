@@ -15,11 +15,12 @@ R.addStatistics = (scene, check) => {
         at: (i) => {
             const z = scene.statistics.z?.rgb;
             return z ? [z[3 * i], z[3 * i + 1], z[3 * i + 2]].reduce((most, v) => (Math.abs(v) > Math.abs(most) ? v : most)) : 0;
+        },
+        unpack: () => {
+            const z = R.pixels.get(raw.embedded);
+            if (z && z.width === scene.width && z.height === scene.height) scene.statistics.z = z;
+            scene.change({z: true});
         }};
-    R.pending.push(R.pixels.get(raw.embedded).then((z) => {
-        if (z && z.width === scene.width && z.height === scene.height) scene.statistics.z = z;
-        scene.change({z: true});
-    }));
 };
 
 R.zCanvas = (scene) => {

@@ -73,6 +73,30 @@ export const open = async (name, {width = 1280, height = 900, ...options} = {}) 
     return {page, watch, close: () => context.close()};
 };
 
+/** Until what is seen is drawn. All who watch where boxes are hear of it before the next frame: this, and the page itself. */
+const drawn = (page) => page.evaluate(async () => {
+    await new Promise((told) => new IntersectionObserver(told).observe(document.body));
+    do await new Promise(requestAnimationFrame);
+    while (!document.documentElement.hasAttribute("data-ready"));
+});
+
+/** Brings a box into view, and the pictures there with it. */
+export const look = async (box) => {
+    await box.scrollIntoViewIfNeeded();
+    await drawn(box.page());
+};
+
+/** The whole page, window by window, and back to its top. */
+export const lookThrough = async (page) => {
+    const scroll = (y) => page.evaluate((top) => scrollTo(0, top), y);
+    const [height, window] = await page.evaluate(() => [document.documentElement.scrollHeight, innerHeight]);
+    for (let y = 0; y < height; y += window) {
+        await scroll(y);
+        await drawn(page);
+    }
+    await scroll(0);
+};
+
 export const finish = async () => {
     await browser.close();
     rmSync(folder, {recursive: true, force: true});

@@ -163,6 +163,9 @@ export const half = () => {
     return {...finished(results), score: {points: 11.06, max: 40}};
 };
 
+/** Nothing begun: the pictures are behind a fold. */
+export const untouched = () => finished({...base(), steps: [step(1, SCENES.slice(0, 5).map((scene, i) => check("1.1", "image", scene, "not started", {message: "unfinished 1.1", image: image(scene, i)})))]});
+
 /** A student of step 4 whose octree is not written; the maps are make_pictures.cpp's. */
 export const costs = (text = (t) => t) => {
     const map = (structure, whose, file, more = {}) => ({structure, whose, verdict: "pass", file, tests: {mean: 9600.5, max: 19200}, nodes: {mean: 3.957, max: 7}, cells: [], ...more});
@@ -288,7 +291,7 @@ export const writeFixtures = async (folder, makePictures) => {
     writeFileSync(join(pictures, "absurd.exr"), absurdExr());
     writeFileSync(join(pictures, "cut.exr"), readFileSync(join(pictures, "student-2-0.exr")).subarray(0, 3000));
     const paths = {};
-    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, unbuilt, handedIn, costs, hostileCosts, noisy, hostileNoisy})) {
+    for (const [name, make] of Object.entries({good, wrong, hostile, huge, half, untouched, unbuilt, handedIn, costs, hostileCosts, noisy, hostileNoisy})) {
         paths[name] = join(folder, `${name}.json`);
         writeFileSync(paths[name], JSON.stringify(make()));
     }

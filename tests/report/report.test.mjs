@@ -4,7 +4,7 @@ import {existsSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {after, test} from "node:test";
 import {COMPILER} from "./fixtures.mjs";
-import {axeSource, finish, folder, open, pageOf, report, results, resultsIn, sizeOf, values} from "./browser.mjs";
+import {axeSource, finish, folder, look, lookThrough, open, pageOf, report, results, resultsIn, sizeOf, values} from "./browser.mjs";
 
 after(finish);
 
@@ -36,6 +36,7 @@ test("nothing loads from outside, nothing is logged", async () => {
     for (const name of ["good", "wrong", "hostile", "huge", "charted", "charts-only", "hostile-charts", "costs", "hostileCosts", "noisy", "hostileNoisy"]) {
         const {page, watch, close} = await open(name);
         await page.locator(".rail-tools .quiet").click();
+        await lookThrough(page);
         await page.waitForTimeout(300);
         assert.deepEqual(watch, [], name);
         await close();
@@ -136,7 +137,7 @@ test("the inspector shows the values under the pointer, and arrow keys move it",
     const {page, close} = await open("wrong");
     const check = page.locator(".check", {hasText: "612 of 19200"}).first();
     const stage = check.locator(".stage").first();
-    await stage.scrollIntoViewIfNeeded();
+    await look(stage);
     const number = (text) => Number(text.replace("−", "-").replace(/ × 10(.*)/, (_, e) => "e" + [...e].map((c) => ({"⁻": "-"}[c] ?? "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c))).join("")));
     const row = async (whose) => (await check.locator(`tr.${whose} td`).allTextContents()).map(number);
     for (const pixel of values["student-0-1.exr"]) {
@@ -168,6 +169,7 @@ test("the error map shows the mistake and does not depend on the exposure", asyn
     const {page, close} = await open("wrong");
     const check = page.locator(".check", {hasText: "612 of 19200"}).first();
     const map = check.locator(".stage.map canvas"), student = check.locator("canvas[slot=first]");
+    await look(map);
     const bytes = (canvas) => canvas.evaluate((c) => Array.from(c.getContext("2d").getImageData(0, 0, c.width, c.height).data).reduce((h, v) => (h * 31 + v) | 0, 7));
     assert.ok(await colorsOf(map) > 50);
     const [mapBefore, studentBefore] = [await bytes(map), await bytes(student)];
@@ -350,6 +352,7 @@ test("cost maps: one scale for all, values under the pointer, what is missing is
     const {page, close} = await open("costs", {width: 1400});
     const costs = page.locator(".costs");
     assert.equal(await costs.count(), 1);
+    await look(costs.locator(".cost-board"));
     assert.equal(await page.locator(".rail a[href='#step-0-costs']").count(), 1);
     assert.deepEqual(await costs.locator(".cost-row h5").allTextContents(), ["Student: tests a pixel", "Solution: tests a pixel", "Student: nodes a pixel", "Solution: nodes a pixel"]);
     const figure = (kind, whose, structure) => costs.locator(`[data-kind=${kind}][data-whose=${whose}] figure[data-structure=${structure}]`);
@@ -418,6 +421,7 @@ test("cost maps: an enemy's words stay words, broken files leave out their own m
     assert.ok(seen.text.includes("</script><script>globalThis.pwned=1</script>"), "shown as it was written");
     for (const note of ["there is no picture", "the picture's file is empty", "lacks one of the channels tests, nodes", "not a picture that can be read"]) assert.ok(seen.text.includes(note), note);
     const canvas = page.locator(".costs [data-kind=tests][data-whose=solution] figure[data-structure=grid] canvas");
+    await look(canvas);
     assert.ok(await colorsOf(canvas) > 50, "the maps that are whole are drawn");
     await close();
 });
@@ -436,6 +440,7 @@ test("the scale of costs is even, rises in lightness, and shows 0 apart", async 
 
 test("hostile texts stay texts", async () => {
     const {page, watch, close} = await open("hostile");
+    await lookThrough(page);
     await page.waitForTimeout(300);
     const seen = await page.evaluate(() => ({pwned: globalThis.pwned, images: document.querySelectorAll("img, iframe, object, embed").length, scripts: document.querySelectorAll("script:not([type])").length,
         styles: document.querySelectorAll("style").length, text: document.body.innerText, html: document.documentElement.outerHTML.length, handlers: document.querySelectorAll("[onerror],[onclick],[onload]").length}));
@@ -463,7 +468,7 @@ test("pictures that are missing, broken, absurd or of another size are named; Na
     assert.ok(notes.some((note) => /claims to have|not a picture/.test(note)), "absurd header");
     const check = page.locator("#check-0-0");
     const stage = check.locator(".stage.map");
-    await stage.scrollIntoViewIfNeeded();
+    await look(stage);
     const box = await stage.boundingBox();
     const under = async (x, y) => {
         await page.mouse.move(box.x + (x + 0.5) / 160 * box.width, box.y + (y + 0.5) / 120 * box.height);
@@ -494,6 +499,7 @@ test("light and dark follow the system and the switch", async () => {
 test("accessibility: no finding of axe in light and dark", async () => {
     for (const [name, colorScheme] of [["wrong", "light"], ["wrong", "dark"], ["half", "light"], ["unbuilt", "dark"], ["costs", "light"], ["costs", "dark"]]) {
         const {page, close} = await open(name, {colorScheme, bypassCSP: true});
+        await lookThrough(page);
         await page.evaluate(axeSource);
         const findings = await page.evaluate(async () => (await axe.run(document, {runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"]})).violations.map((v) => `${v.id}: ${v.nodes.length} × ${v.nodes[0].html.slice(0, 200)} ${v.nodes[0].failureSummary}`));
         assert.deepEqual(findings, [], `${name} ${colorScheme}`);
@@ -556,6 +562,7 @@ test("diagnosis, trees, questions and commands are there", async () => {
 test("nothing overflows on a phone", async () => {
     for (const name of ["good", "wrong", "hostile", "costs", "hostileCosts", "noisy", "hostileNoisy"]) {
         const {page, close} = await open(name, {width: 768, height: 800});
+        await lookThrough(page);
         for (const width of [768, 390, 320]) {
             await fits(page, width, name);
         }
@@ -564,6 +571,7 @@ test("nothing overflows on a phone", async () => {
     // Tiny values are long: 1.234 x 10^-4 in every column.
     const {page, close} = await open("wrong", {width: 390, height: 800});
     const table = page.locator("#check-0-0 .values");
+    await look(table);
     await table.evaluate((box) => box.querySelectorAll("td").forEach((cell) => (cell.textContent = "−1.234 × 10⁻⁴")));
     const [wide, shown] = await table.evaluate((box) => [box.scrollWidth, box.clientWidth]);
     assert.ok(wide <= shown, `pixel table: ${wide} of ${shown}`);
@@ -587,7 +595,9 @@ test("half-finished work: what is not started is folded, what waits is not wrong
     assert.doesNotMatch(await crashed.innerText(), /largest error|the worst|Pixel 0/);
     assert.equal(await crashed.locator(".inspector").count(), 0);
     assert.equal(await crashed.locator(".marker.worst").evaluateAll((list) => list.filter((e) => e.checkVisibility()).length), 0);
-    assert.ok(await colorsOf(crashed.locator("canvas").first()) > 50, "POV-Ray's picture is still shown");
+    const shown = crashed.locator("canvas").first();
+    await look(shown);
+    assert.ok(await colorsOf(shown) > 50, "POV-Ray's picture is still shown");
     assert.match(await page.locator(".check[data-tone=mixed]").innerText(), /6 questions without an answer/);
     assert.deepEqual(watch, []);
     await close();
@@ -630,6 +640,41 @@ test("what was handed in: verdicts and reasons, pictures against the solution's,
     assert.equal(await page.evaluate(() => globalThis.pwned), undefined);
     assert.deepEqual(watch, []);
     await close();
+});
+
+test("a picture is unpacked when it comes near or its fold is opened, and not before", async () => {
+    const {page, close} = await open("good");
+    const below = page.locator(".check canvas[slot=first]").last();
+    assert.ok(await colorsOf(page.locator(".tile canvas").first()) > 50, "what is seen at first is drawn");
+    await page.waitForTimeout(500);
+    assert.equal(await colorsOf(below), 1, "far below");
+    await look(below);
+    assert.ok(await colorsOf(below) > 50, "scrolled to");
+    await close();
+    const untouched = await open("untouched");
+    const summary = untouched.page.locator("details.waiting > summary"), folded = untouched.page.locator("details.waiting canvas.frame").first();
+    await look(summary);
+    await untouched.page.waitForTimeout(500);
+    assert.equal(await colorsOf(folded), 1, "in a fold");
+    await summary.click();
+    await look(folded);
+    assert.ok(await colorsOf(folded) > 50, "unfolded");
+    await untouched.close();
+});
+
+test("who prints has every picture at once, without having seen them", async () => {
+    for (const name of ["good", "untouched", "costs"]) {
+        const {page, close} = await open(name, {height: 300});
+        const [before, after] = await page.evaluate(() => {
+            const blank = () => [...document.querySelectorAll("canvas.frame")].filter((c) => c.getContext("2d").getImageData(0, 0, 1, 1).data[3] === 0).length;
+            const first = blank();
+            dispatchEvent(new Event("beforeprint"));
+            return [first, blank()];
+        });
+        assert.ok(before > 0, `${name}: none was left`);
+        assert.equal(after, 0, name);
+        await close();
+    }
 });
 
 test("on paper both pictures stand beside each other, light, without controls", async () => {
@@ -688,6 +733,7 @@ test("a noisy picture shows its mean beside the reference, and a diverging map o
     assert.match(await wrong.locator(".legend").textContent(), /standard errors the mean of 16 pictures goes beyond 1 % of the level.*wrong beyond 4.2/);
     assert.deepEqual(await wrong.locator(".tick").allTextContents(), ["−5 too dark", "0", "5 too bright"]);
     const canvas = wrong.locator("canvas.z-map");
+    await look(canvas);
     const color = (x, y) => canvas.evaluate((c, [px, py]) => [...c.getContext("2d").getImageData(px, py, 1, 1).data].slice(0, 3), [x, y]);
     const [middle, dark] = [await color(8, 0), await color(70, 45)];
     assert.ok(Math.max(...middle) - Math.min(...middle) < 12 && middle[0] > 200, `${middle}: grey, bright on a bright page`);
