@@ -126,7 +126,8 @@ private:
             for (std::size_t k = 0; k < pattern.samples.size(); ++k) series.points.push_back(point(next++));
             Series samples = series;
             if (made.by_time.empty())  // the solution's way, beside whose points the student's stand
-                for (std::size_t k = 0; k < pattern.samples.size(); ++k) series.points[k].label = fmt::format("{} samples", pattern.samples[k]);
+                for (std::size_t k = 0; k < pattern.samples.size(); ++k)
+                    if (const int n = pattern.samples[k]; n == 4 || n == 16 || n == 64) series.points[k].label = fmt::format("{} samples", n);
             for (std::size_t k = 0; k < pattern.samples.size(); ++k) samples.points[k].x = exactly(pattern.samples[k]);
             const double slope = slope_of(samples.points, pattern.samples);
             samples.name = fmt::format("{} (slope {:.2f})", pattern.name, slope);
