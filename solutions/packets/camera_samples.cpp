@@ -26,7 +26,7 @@ __m256i turned(__m256i x, std::uint32_t key) {
 }
 
 /// Sobol's second dimension as step 5 has it, its bits reversed.
-std::uint32_t second(std::uint32_t index) {
+constexpr std::uint32_t second(std::uint32_t index) {
     std::uint32_t x = index;
     x ^= x >> 1 & 0x55555555u;
     x ^= x >> 2 & 0x33333333u;
@@ -43,13 +43,15 @@ struct LowBits {
         return _mm256_permutevar8x32_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(of)), index);
     }
 };
-constexpr LowBits kSecond{{0, 1, 3, 2, 5, 4, 6, 7}};
-constexpr LowBits low_bits_of(std::size_t dimension) {
+template <class Dimension>
+constexpr LowBits low_bits_of(Dimension dimension) {
     LowBits low{};
-    for (std::uint32_t i = 0; i < kLanes; ++i) low.of[i] = kSobol.at(dimension, i);
+    for (std::uint32_t i = 0; i < kLanes; ++i) low.of[i] = dimension(i);
     return low;
 }
-constexpr LowBits kThird = low_bits_of(0), kFourth = low_bits_of(1);
+constexpr LowBits kSecond = low_bits_of(second);
+constexpr LowBits kThird = low_bits_of([](std::uint32_t i) { return kSobol.at(0, i); });
+constexpr LowBits kFourth = low_bits_of([](std::uint32_t i) { return kSobol.at(1, i); });
 
 Reals fraction(__m256i x) {
     const __m256i upper = _mm256_srli_epi32(x, 8);
@@ -152,6 +154,7 @@ Rays CameraSamples::through_lens(const Rays& pinhole, Vec2s lens) const {
 }
 
 void CameraSamples::add(int x, int y, const Draw& first, int count, SampleRays& rays) const {
+    static_assert(SampleRays::kTogether == kLanes);
     SobolPoints sobol(first);
     const auto points = [&](Purpose purpose, std::uint32_t number = 0) { return sobol.of(dimension_of(purpose, number, purposes_)); };
     const int at = rays.count;

@@ -8,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "references/averaged.h"
+#include "references/picture_error.h"
 #include "support/files.h"
 
 namespace rays::bench {
@@ -33,6 +35,14 @@ TEST(PictureError, DoesNotSeeTheRoundingOfHalfFloats) {
     const float rounded = 1365.0f / 4096;  // a third in 11 bits, rounded to nearest
     EXPECT_EQ(picture_error(picture(2, 2, 1.0f / 3), picture(2, 2, rounded)), 0);
     EXPECT_GT(picture_error(picture(2, 2, 1.0f / 3 + 0.001f), picture(2, 2, rounded)), 0);
+}
+
+TEST(PictureError, OfAMeanIsWithoutTheReferencesOwn) {
+    const AveragedReference truth{picture(4, 2, 0.5f), picture(4, 2, 0.03f)};
+    EXPECT_NEAR(picture_error(picture(4, 2, 0.55f), truth), 0.08, 1e-6) << "0.05, of which 0.03 are the reference's, of 0.5";
+    EXPECT_NEAR(picture_error(truth.mean, truth), 0.015, 1e-7) << "a quarter of 0.03, of 0.5";
+    EXPECT_THROW(picture_error(picture(2, 4, 0.5f), truth), std::invalid_argument);
+    EXPECT_EQ(picture_error(picture(4, 2, std::numeric_limits<float>::quiet_NaN()), truth), std::numeric_limits<double>::infinity());
 }
 
 TEST(PictureError, WhatIsNoNumberIsInfinitelyWrong) {

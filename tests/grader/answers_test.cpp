@@ -19,6 +19,7 @@ TEST(ParseAnswer, ReadsEveryKind) {
     EXPECT_EQ(hit.kind, Kind::value);
     EXPECT_EQ(hit.numbers, (std::vector<double>{1.5, -2000, 0}));
     EXPECT_EQ(parse_answer("0.25 0.5 1\r").numbers, (std::vector<double>{0.25, 0.5, 1}));
+    EXPECT_EQ(parse_answer("-0.30000000000000004 5e-324").numbers, (std::vector<double>{-0.30000000000000004, 5e-324}));
 }
 
 TEST(ParseAnswer, KeepsNanForTheJudge) {
@@ -30,8 +31,9 @@ TEST(ParseAnswer, KeepsNanForTheJudge) {
 
 TEST(ParseAnswer, EverythingElseIsAnError) {
     for (const std::string text :
-         {"", "hit", "hit x", "1 2 three", "1,2", "Grade :=>> 100", "\x1b[2J", "miss 1", "unfinished", "1 2 3x", "0x"})
+         {"", "hit", "hit x", "1 2 three", "1,2", "Grade :=>> 100", "\x1b[2J", "miss 1", "unfinished", "1 2 3x", "0x", "1e999", "+1", "1\t2"})
         EXPECT_EQ(parse_answer(text).kind, Kind::error) << text;
+    EXPECT_EQ(parse_answer(std::string_view("1 \0 2", 5)).kind, Kind::error) << "not the end of the line";
     EXPECT_EQ(parse_answer(std::string(1000000, '1')).text.size(), 16384u * 25);
     std::string many;
     for (int i = 0; i < 20000; ++i) many += "1 ";
