@@ -14,6 +14,13 @@
 
 namespace {
 
+/// Not every writer of OpenImageIO notices that the disk is full.
+std::string problem_of(const std::filesystem::path& written) {
+    if (!std::filesystem::is_regular_file(written)) return "there is something else at " + written.string();
+    OIIO::ImageBuf picture(written.string());
+    return picture.read(0, 0, true) ? std::string() : "what was written cannot be read: is the disk full? " + picture.geterror();
+}
+
 std::string write_picture(const std::filesystem::path& target, int width, int height, std::vector<float>& rgba) {
     // Written under another name first: a full disk leaves no half picture.
     const auto partial = target.parent_path() / (target.stem().string() + ".partial" + target.extension().string());
@@ -21,14 +28,21 @@ std::string write_picture(const std::filesystem::path& target, int width, int he
     const OIIO::ImageBuf rgb = OIIO::ImageBufAlgo::channels(linear, 3, {});
     OIIO::ImageBuf srgb = OIIO::ImageBufAlgo::colorconvert(rgb, "linear", "sRGB");
     srgb.set_write_format(OIIO::TypeDesc::UINT8);
+    std::string problem;
+    if (srgb.has_error() || !srgb.write(partial.string())) {
+        problem = srgb.geterror();
+        if (problem.empty()) problem = OIIO::geterror();
+    } else {
+        problem = problem_of(partial);
+    }
     std::error_code failed;
-    if (!srgb.has_error() && srgb.write(partial.string())) {
+    if (problem.empty()) {
         std::filesystem::rename(partial, target, failed);
         if (!failed) return {};
+        problem = failed.message();
     }
-    const std::string problem = failed ? failed.message() : srgb.geterror();
     std::filesystem::remove(partial, failed);
-    return problem.empty() ? OIIO::geterror() : problem;
+    return problem;
 }
 
 }  // namespace

@@ -29,6 +29,10 @@ expect 0 '^$' "$render" "$scenes/3_recursion/depth_0.pov" -o "$dir/m.exr" --widt
 grep -q '"residual":{"mean":0\.[0-9]*,"max":1,' "$dir/stats.json" || { echo "FAILED: no residual"; failed=1; }
 expect 0 'residual: rays that were not traced weigh 1;' "$render" "$scenes/3_recursion/depth_0.pov" --explain 20,10 --width 32 --height 24
 expect 0 '^$' "$render" "$scene" -o "$dir/a.png" --width 32 --height 24
+[ "$(head -c 8 "$dir/a.png" | od -An -tx1 | tr -d ' ')" = 89504e470d0a1a0a ] || { echo "FAILED: no PNG"; failed=1; }
+expect 2 'no/b.png: cannot write the picture \(.+\)' "$render" "$scene" -o "$dir/no/b.png" --width 32 --height 24
+cp "$render" "$dir/alone"
+expect 2 'only .exr can be written: .*rays-formats: No such file' "$dir/alone" "$scene" -o "$dir/b.png" --width 32 --height 24
 expect 2 'which scene' "$render" -o "$dir/b.exr"
 expect 2 'nowhere.pov' "$render" nowhere.pov -o "$dir/b.exr"
 expect 2 'where to' "$render" "$scene"
@@ -41,7 +45,7 @@ expect 2 'goes on' "$render" "$scene" -o "$dir/b.exr" --error 0.01 --pattern jit
 expect 0 '' "$render" "$scene" -o "$dir/b.exr" --samples 7 --filter mitchell
 expect 2 'no such effect' "$render" "$scene" -o "$dir/b.exr" --without gravity
 expect 2 'cannot write' "$render" "$scene" -o "$dir/no/b.exr"
-expect 2 'cannot write|only .exr' "$render" "$scene" -o "$dir/b.unknown"
+expect 2 'cannot write the picture \(.*b\.partial\.unknown' "$render" "$scene" -o "$dir/b.unknown" --width 32 --height 24
 expect 2 'explain' "$render" "$scene" --explain 400,2
 expect 0 'camera ray' "$render" "$scene" --explain 160,120
 expect 0 'leaves out' "$render" "$scene" --needs
@@ -56,6 +60,9 @@ if [ -w /dev/full ]; then
         [ ! -e "$dir/full.exr" ] || { echo "FAILED: a picture without room"; failed=1; }
     done
 fi
+# Files that may not grow are as good as a full disk.
+expect 2 'full.png: cannot write the picture' bash -c 'trap "" XFSZ; ulimit -f 1; exec "$@"' - "$render" "$scene" -o "$dir/full.png" --width 640 --height 480
+[ -z "$(ls "$dir" | grep full.*png)" ] || { echo "FAILED: a picture without room, or half of it"; failed=1; }
 # Packets and single rays: the same picture.
 for file in 3_recursion/glass_spheres 4_partitioning/sphereflake_2; do
     expect 0 '^$' "$render" "$scenes/$file.pov" -o "$dir/packets.exr" --width 61 --height 43
