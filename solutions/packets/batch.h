@@ -21,6 +21,16 @@ struct Numbers {
     const Number* end() const { return of + count; }
 };
 
+/// Takes those out of the list whose property is that of the first.
+template <class Property>
+Numbers take_alike(Numbers& numbers, Property property) {
+    Numbers alike, others;
+    const auto first = property(numbers.of[0]);
+    for (const Number n : numbers) (property(n) == first ? alike : others).add(n);
+    numbers = others;
+    return alike;
+}
+
 /// Up to eight rays of a batch, as lanes see them.
 struct Chunk {
     Number of[kLanes];

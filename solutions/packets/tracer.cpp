@@ -1,9 +1,6 @@
 #include "packets/tracer.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "packets/borders.h"
 
 namespace rays::packets {
 namespace {
@@ -15,16 +12,6 @@ Numbers all_of(int count) {
     Numbers all;
     for (int n = 0; n < count; ++n) all.add(static_cast<Number>(n));
     return all;
-}
-
-/// Takes those out of the list whose property is that of the first.
-template <class Property>
-Numbers take_alike(Numbers& numbers, Property property) {
-    Numbers alike, others;
-    const auto first = property(numbers.of[0]);
-    for (const Number n : numbers) (property(n) == first ? alike : others).add(n);
-    numbers = others;
-    return alike;
 }
 
 /// Step 1's camera_ray for the pixels of a block, directions made of unit length.
@@ -229,139 +216,6 @@ void Tracer::light(Frame& f, const Numbers& hits) {
         f.brought.store(chunk, chunk.lanes, direct_light(scene_, shadows_, samples_, at, f.batch.inside));
         if (goes_on) divide(f, chunk, at);
     });
-}
-
-/// Which rays are mirrored, which go through, and how much of them: tasks 3.9 to 3.11.
-void Tracer::divide(Frame& f, const Chunk& chunk, const Surfaces& at) {
-    const Spread3 normal(at.normal);
-    each_lane(chunk.lanes, [&](int i) { f.normal.set(chunk.of[i], normal, i); });
-    const Reflection& mirror = at.finish->reflection;
-    const Floats weight = chunk.load(f.batch.weight);
-    Radiances share;
-    if (!mirror.max.is_black() || !mirror.min.is_black()) {
-        share = reflectivity(at, [&](int i) { return fresnel_ior(scene_, f.batch.inside, medium(f, chunk.of[i])); });
-        const unsigned lanes = (at.are & is_not_black(share)).bits();
-        f.share.store(chunk, lanes, share);
-        alignas(32) float weights[kLanes];
-        (weight * (mirror.fresnel ? largest(share) : Floats(std::max(mirror.max.largest(), mirror.min.largest()))))
-            .store(weights);
-        each_lane(lanes, [&](int i) {
-            f.mirrors.add(chunk.of[i]);
-            f.mirror_weight[chunk.of[i]] = weights[i];
-        });
-    }
-    const Radiances tint = tint_of(at, share);
-    const Floats grey = abs(Floats(0.297f) * tint.r + Floats(0.589f) * tint.g + Floats(0.114f) * tint.b);
-    const unsigned lanes = (at.are & is_greater(grey, Floats(scene_.settings.adc_bailout))).bits();
-    f.tint.store(chunk, lanes, tint);
-    each_lane(lanes, [&](int i) { f.clear.add(chunk.of[i]); });
-    alignas(32) float left_out[kLanes];
-    (weight * max(Floats(0.0f), largest(tint))).store(left_out);
-    each_lane(chunk.lanes & ~lanes, [&](int i) { pruned_[f.batch.pixel[chunk.of[i]]] += left_out[i]; });
-}
-
-void Tracer::start(Frame& next, const Frame& from, const Inside& inside, bool straight) const {
-    next.batch.count = 0;
-    next.batch.above = from.batch.above + 1;
-    next.batch.level = from.batch.level + (from.batch.straight ? 0 : 1);
-    next.batch.straight = straight;
-    next.batch.inside = inside;
-}
-
-void Tracer::branch(const Frame& from, Number parent, const Spread3& directions, int lane, float weight, Frame& next) {
-    Batch& batch = next.batch;
-    const GlobalSettings& settings = scene_.settings;
-    if (batch.above >= kMostAbove || batch.level >= settings.max_trace_level || weight < settings.adc_bailout) {
-        pruned_[from.batch.pixel[parent]] += weight;
-        return;
-    }
-    const auto n = static_cast<Number>(batch.count++);
-    for (int a = 0; a < 3; ++a) batch.origin.of[a][n] = from.point.of[a][parent];
-    batch.direction.set(n, directions, lane);
-    batch.weight[n] = weight;
-    batch.pixel[n] = from.batch.pixel[parent];
-    batch.parent[n] = parent;
-}
-
-/// What comes through: each medium on its own, for what is behind follows from it. Where nothing can be refracted, the
-/// mirror ray takes its place.
-void Tracer::go_through(std::size_t depth) {
-    Frame &f = frame(depth), &next = frame(depth + 1);
-    Numbers total_reflection;
-    for (Numbers rest = f.clear; rest.count > 0;) {
-        const Medium crossed = medium(f, rest.of[0]);
-        go_through(depth, take_alike(rest, [&](Number n) { return medium(f, n); }), crossed, total_reflection);
-    }
-    if (total_reflection.count == 0) return;
-    start(next, f, f.batch.inside, false);
-    each_chunk(total_reflection, [&](const Chunk& chunk) {
-        const Spread3 direction(reflected(f.batch.direction.load(chunk), f.normal.load(chunk)));
-        each_lane(chunk.lanes, [&](int i) {
-            const Number n = chunk.of[i];
-            branch(f, n, direction, i, f.batch.weight[n] * f.tint[n].largest(), next);
-        });
-    });
-    trace(depth + 1);
-    for (int c = 0; c < next.batch.count; ++c) {
-        const Number n = next.batch.parent[c];
-        f.brought.set(n, f.brought[n] + absorbed(f, n, next.brought[static_cast<Number>(c)]));
-    }
-    const Numbers before = f.mirrors;
-    f.mirrors.count = 0;
-    for (const Number n : before)
-        if (std::find(total_reflection.begin(), total_reflection.end(), n) == total_reflection.end()) f.mirrors.add(n);
-}
-
-void Tracer::go_through(std::size_t depth, const Numbers& rays, Medium medium, Numbers& total_reflection) {
-    Frame &f = frame(depth), &next = frame(depth + 1);
-    Inside beyond = f.batch.inside;
-    const Real relative_ior = cross_border(scene_, beyond, medium);
-    const bool straight = std::abs(relative_ior - 1) < Real(1e-10);
-    start(next, f, beyond, straight);
-    each_chunk(rays, [&](const Chunk& chunk) {
-        const Vec3s d = f.batch.direction.load(chunk);
-        const Refracted bent =
-            straight ? Refracted{Mask::of(kAllLanes), d} : refracted(d, f.normal.load(chunk), relative_ior);
-        const Spread3 direction(bent.direction);
-        const unsigned passes = bent.are.bits();
-        each_lane(chunk.lanes & passes, [&](int i) {
-            const Number n = chunk.of[i];
-            branch(f, n, direction, i, f.batch.weight[n] * f.tint[n].largest(), next);
-        });
-        each_lane(chunk.lanes & ~passes, [&](int i) { total_reflection.add(chunk.of[i]); });
-    });
-    trace(depth + 1);
-    for (int c = 0; c < next.batch.count; ++c) {
-        const Number n = next.batch.parent[c];
-        f.brought.set(n, f.brought[n] + f.tint[n] * absorbed(f, n, next.brought[static_cast<Number>(c)]));
-    }
-}
-
-/// What the way to the hit takes, where it led through the medium that was hit: task 3.6.
-Radiance Tracer::absorbed(const Frame& f, Number n, Radiance brought) const {
-    const Medium crossed = medium(f, n);
-    const Interior* interior = interior_of(scene_, crossed);
-    if (interior && f.batch.inside.contains(crossed)) brought *= absorption(*interior, f.distance[n]);
-    return brought;
-}
-
-void Tracer::mirror(std::size_t depth) {
-    Frame &f = frame(depth), &next = frame(depth + 1);
-    start(next, f, f.batch.inside, false);
-    each_chunk(f.mirrors, [&](const Chunk& chunk) {
-        const Spread3 direction(reflected(f.batch.direction.load(chunk), f.normal.load(chunk)));
-        each_lane(chunk.lanes,
-                  [&](int i) { branch(f, chunk.of[i], direction, i, f.mirror_weight[chunk.of[i]], next); });
-    });
-    if (next.batch.count > 0) trace(depth + 1);
-    for (int c = 0; c < next.batch.count; ++c) {
-        const Number n = next.batch.parent[c];
-        Radiance brought = next.brought[static_cast<Number>(c)];
-        const float exponent = scene_.materials[f.material[n]].finish.reflection.exponent;
-        if (exponent != 1)
-            for (int k = 0; k < 3; ++k) brought[k] = std::pow(std::max(0.0f, brought[k]), exponent);
-        f.brought.set(n, f.brought[n] + f.share[n] * brought);
-    }
 }
 
 }  // namespace rays::packets
