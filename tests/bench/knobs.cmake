@@ -54,7 +54,9 @@ add_custom_target(measure-knobs)
 vary_solution(copy 3_recursion/recursion.cpp fresnel-schlick "r[.]fresnel [?] fresnel\\(" "r.fresnel ? schlick(")
 if(copy)
     add_varied_program(render-schlick 3 recursion.cpp ${copy} "$<TARGET_OBJECTS:render_main>"
-        "renderer;solution_1;solution_2;solution_4")
+        "renderer;solution_1;solution_2;solution_4;solution_5")
+    # Built with all the rest: it needs every step, so a new one shows here, not when somebody wants a chart.
+    set_target_properties(render-schlick PROPERTIES EXCLUDE_FROM_ALL OFF)
     add_dependencies(measure-knobs render-schlick)
     file(APPEND ${KNOB_LIST}.new "3 fresnel schlick render-schlick\n")
 endif()
