@@ -7,6 +7,9 @@
 #include <cstdlib>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <new>
+#include <type_traits>
 
 #include "core/error.h"
 
@@ -44,6 +47,14 @@ const char* next(const char* from, char c, const char* end) {
 
 [[noreturn]] void fail(const Place& place, std::string_view what) {
     throw InputError(fmt::format("{}: {}", to_string(place), what));
+}
+
+// All bytes 0: no place in any text.
+std::unique_ptr<Scanned::Remembered[], Scanned::Free> nothing_remembered() {
+    static_assert(std::is_trivially_copyable_v<Scanned::Remembered> && std::is_trivially_destructible_v<Scanned::Remembered>);
+    void* bytes = std::calloc(Scanned::kRemembered, sizeof(Scanned::Remembered));
+    if (!bytes) throw std::bad_alloc();
+    return std::unique_ptr<Scanned::Remembered[], Scanned::Free>(static_cast<Scanned::Remembered*>(bytes));
 }
 
 }  // namespace
@@ -155,7 +166,7 @@ void Scanner::scan(Names& names, Token& token) {
 }
 
 void Scanner::scan_repeated(Scanned& scanned, Token& token) {
-    if (scanned.remembered.empty()) scanned.remembered.resize(Scanned::kRemembered);
+    if (!scanned.remembered) scanned.remembered = nothing_remembered();
     auto& known = scanned.remembered[reinterpret_cast<std::uintptr_t>(at_) % Scanned::kRemembered];
     if (known.from != at_) {
         const char* from = at_;

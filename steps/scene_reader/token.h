@@ -1,9 +1,10 @@
 // The smallest pieces of a scene's text.
 #pragma once
 
+#include <cstdlib>
+#include <memory>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "scene_reader/value.h"
 
@@ -50,7 +51,11 @@ struct Scanned {
         Token token;
     };
     static constexpr std::size_t kRemembered = 4096;  ///< a body of so many bytes is remembered whole
-    std::vector<Remembered> remembered;               ///< by the last bits of `from`; empty until something repeats
+    struct Free {
+        void operator()(Remembered* p) const { std::free(p); }
+    };
+    /// By the last bits of `from`; none until something repeats. From calloc: of a short body few pages are ever touched.
+    std::unique_ptr<Remembered[], Free> remembered;
 };
 
 /// Scans numbers, names, strings and punctuation; knows nothing of what they mean.
