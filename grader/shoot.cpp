@@ -30,7 +30,7 @@ Job render_job(const fs::path& program, const SceneFiles& files, Raster raster, 
 SceneFiles scene_files(const fs::path& scene) {
     SceneFiles files{{scene.filename().string(), read_file(scene)}};
     const fs::path povray = "/usr/share/povray-3.7/include";
-    for (const auto& [name, file] : included_files(scene, {povray}))
+    for (const auto& [name, file] : included_files(fs::absolute(scene), {povray}))
         if (file.lexically_relative(povray).string().starts_with("..")) files.push_back({name, read_file(file)});
     return files;
 }

@@ -14,6 +14,12 @@ constexpr double kMostZ = 999;
 constexpr double kMostFreedom = 1e6;
 /// A channel that is hardly there is judged by the picture's colours: a tenth of their mean counts as its level.
 constexpr double kFaintChannel = 0.1;
+/// Tiles each way whose variance a tile is also given; the far ones where light is so rare that fewer events than these, a
+/// tile in a seed, carry all variance there. Measured: with the near ones alone, fireflies of 600 times the level that come
+/// to one sample in 50 000 are missed by all, twice, in 0.15 % of gradings; with the far ones everywhere, a square that is
+/// 10 % too dark among edges is seen in 51 % instead of 74 %.
+constexpr int kNear = 1, kFar = 2;
+constexpr double kFewEvents = 10;
 
 bool finite(const Rgb& c) { return std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2]); }
 
@@ -71,7 +77,8 @@ Estimate mean_of(const std::vector<double>& variances, double freedom_of_each) {
 /// Over the seeds, of a tile or the whole picture in one channel.
 struct Sample {
     double difference = 0, reference = 0, error = 0;
-    double variance = 0;  ///< of a seed's mean
+    double variance = 0;      ///< of a seed's mean
+    double fourth_powers = 0;  ///< sum over the seeds of their differences from the mean
 };
 
 Sample sample_of(const std::vector<double>& means, double reference, double error) {
@@ -79,8 +86,13 @@ Sample sample_of(const std::vector<double>& means, double reference, double erro
     double sum = 0, squares = 0;
     for (const double m : means) sum += m - reference;
     const double difference = sum / count;
-    for (const double m : means) squares += (m - reference - difference) * (m - reference - difference);
-    return {difference, reference, error, squares / (count - 1)};
+    double fourth_powers = 0;
+    for (const double m : means) {
+        const double square = (m - reference - difference) * (m - reference - difference);
+        squares += square;
+        fourth_powers += square * square;
+    }
+    return {difference, reference, error, squares / (count - 1), fourth_powers};
 }
 
 /// All sums of one rectangle.
@@ -162,12 +174,33 @@ private:
         return std::max(std::abs(whole_[channel].reference), kFaintChannel * all);
     }
 
-    Estimate of_neighbourhood(std::size_t channel, int column, int row) const {
+    template <class F>
+    void each_near(int column, int row, int reach, F f) const {
+        for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r)
+            for (int c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c) f(tile_index(c, r));
+    }
+
+    Estimate of_neighbourhood(std::size_t channel, int column, int row, int reach) const {
         std::vector<double> variances;
-        for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r)
-            for (int c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c)
-                variances.push_back(samples_[channel][tile_index(c, r)].variance);
+        each_near(column, row, reach, [&](std::size_t tile) { variances.push_back(samples_[channel][tile].variance); });
         return mean_of(variances, freedom());
+    }
+
+    /// As many equal ones would have the same squares and fourth powers as what the seeds' tiles show around here.
+    double events(std::size_t channel, int column, int row) const {
+        double squares = 0, fourth_powers = 0;
+        each_near(column, row, kFar, [&](std::size_t tile) {
+            squares += samples_[channel][tile].variance * freedom();
+            fourth_powers += samples_[channel][tile].fourth_powers;
+        });
+        return fourth_powers > 0 ? squares * squares / fourth_powers : kFewEvents;
+    }
+
+    std::vector<Estimate> estimates(std::size_t channel, int column, int row) const {
+        std::vector<Estimate> all{{samples_[channel][tile_index(column, row)].variance, freedom()},
+                                  of_neighbourhood(channel, column, row, kNear)};
+        if (events(channel, column, row) < kFewEvents) all.push_back(of_neighbourhood(channel, column, row, kFar));
+        return all;
     }
 
     void judge_channel(std::size_t c, Limits& for_tiles, Limits& for_whole) {
@@ -175,10 +208,9 @@ private:
         for (int row = 0; row < rows_; ++row) {
             for (int column = 0; column < columns_; ++column) {
                 const Sample& s = samples_[c][tile_index(column, row)];
-                const std::vector<Estimate> estimates{{s.variance, freedom()}, of_neighbourhood(c, column, row)};
                 result_.tiles[tile_index(column, row)].channels[c] =
-                    judged(s, options_.tile_margin * std::max(std::abs(s.reference), picture_level), seeds(), estimates,
-                           for_tiles);
+                    judged(s, options_.tile_margin * std::max(std::abs(s.reference), picture_level), seeds(),
+                           estimates(c, column, row), for_tiles);
             }
         }
         result_.whole[c] = judged(whole_[c], options_.whole_margin * picture_level, seeds(),

@@ -141,6 +141,21 @@ TEST(Statistics, ATileThatMissedTheRareLightIsGivenItsNeighboursNoise) {
     EXPECT_TRUE(green(e, 5).wrong == false && green(e, 5).standard_error > 0);
 }
 
+TEST(Statistics, LightThatIsRarerStillIsLookedForTwoTilesAway) {
+    // All is calm and 2 % too dark; two tiles from the first, tiles at these heights have an event in so many seeds.
+    const auto first_tile = [](int seeds, std::vector<int> heights) {
+        Pictures list(8, flat(0.98f, 40, 40));
+        for (int i = 0; i < seeds; ++i)
+            for (const int y : heights) add(list[static_cast<std::size_t>(i)], 16, y, 8, i % 2 ? 0.8f : -0.8f);
+        return green(examine(list, {flat(1, 40, 40), flat(0, 40, 40)}, options()), 0);
+    };
+    const Difference rare = first_tile(1, {0});
+    EXPECT_FALSE(rare.wrong) << "the event could as well have been here";
+    // The variance of one mean of eight that is off by 0.8 is 0.8^2/8; a corner has nine tiles within two.
+    EXPECT_NEAR(rare.standard_error, std::sqrt(0.64 / 8 / 9 / 8), 1e-5);
+    EXPECT_TRUE(first_tile(8, {0, 16}).wrong) << "sixteen events are not rare: what is calm beside them is calm";
+}
+
 TEST(Statistics, NotANumberFailsAndIsCounted) {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         Pictures pictures = alternating(1, 0.01f);

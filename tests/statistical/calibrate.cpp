@@ -231,10 +231,10 @@ std::vector<Row> real(const Settings& s) {
 }
 
 // More than the 1 in 1000 that is promised, as far as so few gradings can tell; or a bias of 2 % that was missed.
-int problems(const std::vector<Row>& rows) {
+int problems(const std::vector<Row>& rows, const Settings& s) {
     int count = 0;
     for (const Row& r : rows) {
-        const bool promised = r.noise == "Gaussian" || r.noise.starts_with("with edges");
+        const bool promised = !s.program.empty() || r.noise == "Gaussian" || r.noise.starts_with("with edges");
         if (!promised) continue;
         const bool alarms = r.right && r.failed > 1 + r.gradings / 1000;
         const bool missed = r.bias == "+2 % everywhere" && r.failed < r.gradings;
@@ -263,7 +263,7 @@ int run(int argc, char** argv) {
     const std::vector<Row> rows = s.program.empty() ? invented(s) : real(s);
     print(rows);
     if (!s.json.empty()) write_atomically(s.json, json_of(rows, s).dump(1) + "\n");
-    return s.program.empty() && problems(rows) > 0 ? 1 : 0;
+    return problems(rows, s) > 0 ? 1 : 0;
 }
 
 }  // namespace
