@@ -1,5 +1,5 @@
-// fmt's functions that are no templates, and instances of those that fmt declares extern, for a static library of it: Debian
-// has none. fmt 9's own src/format.cc defines the same.
+// fmt's functions that are no templates, and instances of those that fmt declares extern, for a static library of it:
+// Debian has none. fmt 9's own src/format.cc defines the same.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

@@ -2,12 +2,12 @@
 // that no change to the project's own makes everything compile again, and nothing of it is seen without being included.
 #pragma once
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <functional>
 #include <glm/glm.hpp>

@@ -138,7 +138,8 @@ void Builder::read_link_command() {
     drop_lto(link_);
     // Packets are the solution's way through all steps at once: they would pass a student's step by. Without them the
     // renderer's archive brings no_packets.cpp.
-    std::erase_if(link_, [](const std::string& word) { return word.find("/solution_packets.dir/") != std::string::npos; });
+    std::erase_if(link_,
+                  [](const std::string& word) { return word.find("/solution_packets.dir/") != std::string::npos; });
     drop_with_value(link_, "-o");
     for (const auto& [file, unit] : units_)
         if (std::find(link_.begin(), link_.end(), unit.solution_object) == link_.end())

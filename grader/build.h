@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "support/process.h"
 #include "grader/project.h"
+#include "support/process.h"
 
 namespace rays::grader {
 

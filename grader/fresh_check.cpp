@@ -8,7 +8,8 @@ namespace rays::grader {
 namespace {
 
 bool of_one_colour(const RgbImage& picture) {
-    return std::all_of(picture.pixels.begin(), picture.pixels.end(), [&](const Rgb& p) { return p == picture.pixels.front(); });
+    return std::all_of(picture.pixels.begin(), picture.pixels.end(),
+                       [&](const Rgb& p) { return p == picture.pixels.front(); });
 }
 
 /// What the first scene that is not right has to say stands for all.
@@ -18,7 +19,9 @@ void take_over(Check& check, Check&& one, const std::string& sdl, bool noisy) {
     check.diagnosis = std::move(one.diagnosis);
     check.image = std::move(one.image);
     check.statistics = std::move(one.statistics);
-    check.questions.push_back({"the scene", "", sdl, noisy ? "the solution's picture, but for noise" : "the solution's picture", "another picture", false});
+    check.questions.push_back({"the scene", "", sdl,
+                               noisy ? "the solution's picture, but for noise" : "the solution's picture",
+                               "another picture", false});
 }
 
 }  // namespace
@@ -43,7 +46,8 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
     int right = 0;
     for (int place = 0; place < kFreshScenesPerTask; ++place) {
         const FreshPick pick = pick_fresh_scene(bench, task.id, place);
-        Check one = noisy ? noisy_fresh_picture(bench, task, pick, place) : exact_fresh_picture(bench, task, pick, place);
+        Check one =
+            noisy ? noisy_fresh_picture(bench, task, pick, place) : exact_fresh_picture(bench, task, pick, place);
         if (one.verdict == Verdict::infrastructure_error) {
             check.verdict = one.verdict;
             check.message = one.message;
@@ -53,7 +57,9 @@ Check fresh_check(const Bench& bench, const Task& task, double max) {
         right += one.verdict == Verdict::pass;
         if (one.verdict != Verdict::pass && !check.image) take_over(check, std::move(one), pick.sdl, noisy);
     }
-    check.message = fmt::format("{} of {} fresh scenes equal to the solution's{}", right, kFreshScenesPerTask, noisy ? " but for noise" : "") + check.message;
+    check.message = fmt::format("{} of {} fresh scenes equal to the solution's{}", right, kFreshScenesPerTask,
+                                noisy ? " but for noise" : "") +
+                    check.message;
     check.points = max * right / kFreshScenesPerTask;
     if (right == kFreshScenesPerTask)
         check.verdict = Verdict::pass;

@@ -5,22 +5,27 @@ namespace rays::grader::fresh {
 namespace {
 
 std::string checkers(Dice& d) {
-    return fmt::format("pigment {{ checker {}, {} scale {} }} finish {{ ambient 0.2 diffuse 0.7 }}", color(d), color(d), d.between(0.4, 0.9));
+    return fmt::format("pigment {{ checker {}, {} scale {} }} finish {{ ambient 0.2 diffuse 0.7 }}", color(d), color(d),
+                       d.between(0.4, 0.9));
 }
 
 std::string thing(Dice& d, const V& at, const std::string& wears, const std::string& moves = "") {
     switch (d.whole(0, 2)) {
         case 0: return fmt::format("sphere {{ {}, {} {} {} }}\n", text(at), d.between(0.25, 0.6), wears, moves);
         case 1:
-            return fmt::format("box {{ -1, 1 scale {} rotate {} translate {} {} {} }}\n", text({d.between(0.2, 0.5), d.between(0.2, 0.5), d.between(0.2, 0.5)}),
-                               text(d.place(90)), text(at), wears, moves);
+            return fmt::format("box {{ -1, 1 scale {} rotate {} translate {} {} {} }}\n",
+                               text({d.between(0.2, 0.5), d.between(0.2, 0.5), d.between(0.2, 0.5)}), text(d.place(90)),
+                               text(at), wears, moves);
         default:
-            return fmt::format("cylinder {{ {}, {}, {} {} {} }}\n", text(at), text({at[0] + d.between(-0.8, 0.8), at[1] + 0.9, at[2] + d.between(-0.8, 0.8)}),
+            return fmt::format("cylinder {{ {}, {}, {} {} {} }}\n", text(at),
+                               text({at[0] + d.between(-0.8, 0.8), at[1] + 0.9, at[2] + d.between(-0.8, 0.8)}),
                                d.between(0.1, 0.4), wears, moves);
     }
 }
 
-std::string floor(Dice& d, const std::string& wears) { return fmt::format("plane {{ y, {} {} }}\n", d.between(-1.8, -1.3), wears); }
+std::string floor(Dice& d, const std::string& wears) {
+    return fmt::format("plane {{ y, {} {} }}\n", d.between(-1.8, -1.3), wears);
+}
 
 std::string some_things(Dice& d, int count) {
     std::string all = floor(d, checkers(d));
@@ -45,10 +50,15 @@ std::string moving_things(Dice& d) {
 /// A mirror and a plate that are rough, and what they show. Little is left after two of them.
 std::string rough_things(Dice& d) {
     const std::string gloss = fmt::format("glossy {}", d.between(0.005, 0.2));
-    std::string all = floor(d, fmt::format("pigment {{ {} }} finish {{ ambient 0.1 diffuse 0.3 phong 0.4 phong_size 20 reflection 0.5 {} }}", color(d), gloss));
+    std::string all = floor(
+        d,
+        fmt::format("pigment {{ {} }} finish {{ ambient 0.1 diffuse 0.3 phong 0.4 phong_size 20 reflection 0.5 {} }}",
+                    color(d), gloss));
     for (int i = 0; i < 3; ++i) all += thing(d, d.place(1.2), checkers(d));
-    return all + fmt::format("sphere {{ {}, 0.6 pigment {{ rgbf <1, 1, 1, 0.9> }} finish {{ diffuse 0.05 {} }} interior {{ ior 1.3 }} }}\n",
-                             text(d.place(1)), gloss);
+    return all + fmt::format(
+                     "sphere {{ {}, 0.6 pigment {{ rgbf <1, 1, 1, 0.9> }} finish {{ diffuse 0.05 {} }} interior {{ ior "
+                     "1.3 }} }}\n",
+                     text(d.place(1)), gloss);
 }
 
 }  // namespace

@@ -10,12 +10,9 @@ V moved(const V& from, const V& by) { return {from[0] + by[0], from[1] + by[1], 
 std::string thing(Dice& d, const V& at, double size) {
     const auto near = [&] { return text(moved(at, d.place(size))); };
     switch (d.whole(0, 4)) {
-        case 0:
-            return fmt::format("sphere {{ {}, {} {} }}\n", text(at), size, matt(d));
-        case 1:
-            return fmt::format("triangle {{ {}, {}, {} {} }}\n", near(), near(), near(), matt(d));
-        case 2:
-            return fmt::format("cone {{ {}, {}, {}, 0 open {} }}\n", near(), size / 2, near(), matt(d));
+        case 0: return fmt::format("sphere {{ {}, {} {} }}\n", text(at), size, matt(d));
+        case 1: return fmt::format("triangle {{ {}, {}, {} {} }}\n", near(), near(), near(), matt(d));
+        case 2: return fmt::format("cone {{ {}, {}, {}, 0 open {} }}\n", near(), size / 2, near(), matt(d));
         case 3:
             return fmt::format("box {{ -1, 1 scale {} rotate {} translate {} {} }}\n", size / 2, text(d.place(90)),
                                text(at), matt(d));

@@ -190,38 +190,39 @@ const Recipes& recipes() {
     const auto twice = [](std::string (*make)(Dice&)) { return [make](Dice& d) { return make(d) + make(d); }; };
     static const Recipes table = [&] {
         Recipes all{
-        {"1.1", {[](Dice& d) { return sphere(d) + sphere(d) + plane(d); }}},
-        {"1.2", {[](Dice& d) { return sphere(d) + sphere(d) + plane(d); }}},
-        {"1.3", {[](Dice& d) { return sphere(d) + sphere(d) + sphere(d); }}},
-        {"1.4", {twice(plane)}},
-        {"1.5", {twice(triangle)}},
-        {"1.6", {twice(polygon)}},
-        {"1.7", {twice(box_or_disc)}},
-        {"1.8", {twice(cone)}},
-        {"1.9", {quadric}},
-        {"1.10", {twice(torus)}},
-        {"1.11", {patch}},
-        {"1.12", {twice(transformed)}},
-        {"1.14", {mesh}},
-        {"1.15", {several}},
-        {"2.1", {checkers}},
-        {"2.2", {ambient}},
-        {"2.3", {diffuse}},
-        {"2.4", {phong}},
-        {"2.5", {blinn}},
-        {"2.6", {diffuse, fading_lamp}},
-        {"2.7", {[](Dice& d) { return room(d) + diffuse(d); }, spot}},
-        {"2.8", {[](Dice& d) { return room(d) + diffuse(d); }, [](Dice& d) { return parallel(d) + fading_lamp(d); }}},
-        {"2.9",
-         {[](Dice& d) {
-              return room(d) + sphere(d) + torus(d) +
-                     fmt::format("box {{ <-0.4, 2, -0.4>, <0.4, 2.2, 0.4> no_shadow {} }}\n", matt(d));
-          },
-          [](Dice& d) { return lamp(d, ""); }}},
-        {"2.10",
-         {[](Dice& d) { return room(d) + phong(d) + blinn(d); },
-          [](Dice& d) { return lamp(d, "") + lamp(d, "") + spot(d); }}},
-    };
+            {"1.1", {[](Dice& d) { return sphere(d) + sphere(d) + plane(d); }}},
+            {"1.2", {[](Dice& d) { return sphere(d) + sphere(d) + plane(d); }}},
+            {"1.3", {[](Dice& d) { return sphere(d) + sphere(d) + sphere(d); }}},
+            {"1.4", {twice(plane)}},
+            {"1.5", {twice(triangle)}},
+            {"1.6", {twice(polygon)}},
+            {"1.7", {twice(box_or_disc)}},
+            {"1.8", {twice(cone)}},
+            {"1.9", {quadric}},
+            {"1.10", {twice(torus)}},
+            {"1.11", {patch}},
+            {"1.12", {twice(transformed)}},
+            {"1.14", {mesh}},
+            {"1.15", {several}},
+            {"2.1", {checkers}},
+            {"2.2", {ambient}},
+            {"2.3", {diffuse}},
+            {"2.4", {phong}},
+            {"2.5", {blinn}},
+            {"2.6", {diffuse, fading_lamp}},
+            {"2.7", {[](Dice& d) { return room(d) + diffuse(d); }, spot}},
+            {"2.8",
+             {[](Dice& d) { return room(d) + diffuse(d); }, [](Dice& d) { return parallel(d) + fading_lamp(d); }}},
+            {"2.9",
+             {[](Dice& d) {
+                  return room(d) + sphere(d) + torus(d) +
+                         fmt::format("box {{ <-0.4, 2, -0.4>, <0.4, 2.2, 0.4> no_shadow {} }}\n", matt(d));
+              },
+              [](Dice& d) { return lamp(d, ""); }}},
+            {"2.10",
+             {[](Dice& d) { return room(d) + phong(d) + blinn(d); },
+              [](Dice& d) { return lamp(d, "") + lamp(d, "") + spot(d); }}},
+        };
         add_recursion(all);
         add_partitioning(all);
         add_distributed(all);
@@ -248,7 +249,8 @@ std::optional<FreshScene> fresh_scene(const std::string& task, std::uint64_t see
     View view = camera(dice);
     if (task == "1.2") view.sdl = orthographic(dice, view);
     if (task == "5.7")
-        view.sdl.replace(view.sdl.rfind('}'), 1, fmt::format("aperture {} focal_point {} }}", dice.between(0.4, 1.6), text(dice.place(1))));
+        view.sdl.replace(view.sdl.rfind('}'), 1,
+                         fmt::format("aperture {} focal_point {} }}", dice.between(0.4, 1.6), text(dice.place(1))));
     scene.sdl = "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\nbackground { rgb <0.1, 0.15, 0.25> }\n" +
                 view.sdl + recipe->second.lamps(dice) + recipe->second.things(dice);
     for (int i = 0; i < kProbes; ++i) {

@@ -28,7 +28,8 @@ std::optional<FreshScene> fresh_scene(const std::string& task, std::uint64_t see
 bool has_noisy_fresh_scenes(const std::string& task);
 
 /// Of the scene in its place, 0 to kFreshScenesPerTask - 1. Now and then a plane fills the view (7 % of the scenes of
-/// 1.1 and 1.2): where the solution's picture has one colour only, which tests nothing, the grader takes the next attempt.
+/// 1.1 and 1.2): where the solution's picture has one colour only, which tests nothing, the grader takes the next
+/// attempt.
 constexpr std::uint64_t seed_of_fresh_scene(std::uint64_t seed, int place, int attempt) {
     return seed + static_cast<std::uint64_t>(place + attempt * kFreshScenesPerTask);
 }

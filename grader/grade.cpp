@@ -12,13 +12,13 @@
 
 #include "core/error.h"
 #include "grader/grade_step.h"
-#include "grader/student_speed.h"
 #include "grader/student_build.h"
+#include "grader/student_speed.h"
 #include "grader/submission/archive.h"
 #include "grader/submission/handed_in.h"
 #include "grader/text.h"
-#include "support/files.h"
 #include "references/manifest.h"
+#include "support/files.h"
 #ifdef RAYSTEPS_REPORT
 #include "report/report.h"
 #endif
@@ -140,7 +140,8 @@ void look_for_infrastructure_errors(Results& results) {
 
 // Where submission.json is looked for: in what was submitted, or beside the working copy's steps. Pictures need all
 // steps, so a run that grades some of them only does not look at them; nor is the solution a submission.
-std::optional<fs::path> handed_in_folder(const Project& project, const GradeOptions& options, const fs::path& submission) {
+std::optional<fs::path> handed_in_folder(const Project& project, const GradeOptions& options,
+                                         const fs::path& submission) {
     if (!options.steps.empty()) return {};
     if (options.submission) return submission;
     const fs::path working_copy = project.root / "submission";
@@ -152,15 +153,18 @@ std::optional<fs::path> handed_in_folder(const Project& project, const GradeOpti
 bool take_charts(const GradeOptions& options, const fs::path& out) {
     const fs::path there = out / "charts.json";
     if (options.charts.empty()) return fs::exists(there);
-    if (!fs::is_regular_file(options.charts)) throw InputError(options.charts.string() + ": no such file; ./rays chart writes report/out/charts.json");
-    if (!fs::exists(there) || !fs::equivalent(options.charts, there)) write_atomically(there, read_file(options.charts));
+    if (!fs::is_regular_file(options.charts))
+        throw InputError(options.charts.string() + ": no such file; ./rays chart writes report/out/charts.json");
+    if (!fs::exists(there) || !fs::equivalent(options.charts, there))
+        write_atomically(there, read_file(options.charts));
     return true;
 }
 
 fs::path submitted_folder(const Project& project, const GradeOptions& options, const fs::path& scratch) {
     if (!options.submission) return project.root / (options.from == "solution" ? "solutions" : "steps");
     if (fs::is_directory(*options.submission)) return fs::absolute(*options.submission);
-    if (!fs::is_regular_file(*options.submission)) throw InputError(options.submission->string() + ": no such folder or archive");
+    if (!fs::is_regular_file(*options.submission))
+        throw InputError(options.submission->string() + ": no such folder or archive");
     return unpack(*options.submission, scratch);
 }
 
@@ -219,11 +223,12 @@ Results grade(const Project& project, const GradeOptions& options) {
         }
         save(false);
     }
-    if (const auto folder = handed_in_folder(project, options, submission); folder && results.infrastructure_error.empty()) {
+    if (const auto folder = handed_in_folder(project, options, submission);
+        folder && results.infrastructure_error.empty()) {
         say("grading pictures and report");
-        results.handed_in = grade_handed_in({project, *sandbox, project.program("render-solution"), programs.all_mine, *folder,
-                                             out, limits, workers},
-                                            rubric);
+        results.handed_in = grade_handed_in(
+            {project, *sandbox, project.program("render-solution"), programs.all_mine, *folder, out, limits, workers},
+            rubric);
     }
     save(true);
     if (options.report) {

@@ -14,11 +14,12 @@
 namespace rays::grader {
 
 struct GradeOptions {
-    std::vector<int> steps;                           ///< empty: all that are built
-    std::string from = "student";                     ///< or "solution"
-    std::optional<std::filesystem::path> submission;  ///< a folder or an archive of the student's; else the working copy
-    std::filesystem::path out;                        ///< gets results.json, images/ and index.html
-    std::optional<std::uint64_t> seed;                ///< of questions and fresh scenes; else a new one for every run
+    std::vector<int> steps;        ///< empty: all that are built
+    std::string from = "student";  ///< or "solution"
+    std::optional<std::filesystem::path>
+        submission;                     ///< a folder or an archive of the student's; else the working copy
+    std::filesystem::path out;          ///< gets results.json, images/ and index.html
+    std::optional<std::uint64_t> seed;  ///< of questions and fresh scenes; else a new one for every run
     bool report = true;
     std::filesystem::path charts;  ///< a charts.json that `out` gets a copy of; empty: the one that is there, if any
 };

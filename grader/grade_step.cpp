@@ -53,7 +53,8 @@ Check copied_as_all_mine(Check check) {
 
 // Where the step alone is wrong already, its picture among the student's other steps says nothing new.
 std::vector<Check> picture_checks(const StepOrder& order, const SceneTask& scene) {
-    std::vector<Check> checks{scene.statistical() ? statistical_check(order.bench, scene) : image_check(order.bench, scene)};
+    std::vector<Check> checks{scene.statistical() ? statistical_check(order.bench, scene)
+                                                  : image_check(order.bench, scene)};
     if (checks.front().verdict != Verdict::pass || order.all_mine.empty()) return checks;
     if (order.all_mine == order.bench.student) {
         checks.push_back(copied_as_all_mine(checks.front()));
@@ -97,8 +98,8 @@ std::vector<Check> build_error_checks(const Step& step, const std::string& messa
     for (const Task& t : step.tasks) checks.push_back(not_built(t.id + ".unit", t.id, "unit", t.points, message));
     for (const SceneTask& s : step.scenes)
         checks.push_back(not_built(fmt::format("{}.picture.{}", step.number, fs::path(s.scene).stem().string()),
-                                   s.tasks.empty() ? "" : s.tasks.front(), s.statistical() ? "statistical" : "image", s.points,
-                                   message));
+                                   s.tasks.empty() ? "" : s.tasks.front(), s.statistical() ? "statistical" : "image",
+                                   s.points, message));
     return checks;
 }
 
@@ -116,8 +117,8 @@ void withhold_unconfirmed_pictures(const Step& step, std::vector<Check>& checks)
         for (Check& c : checks) {
             // A noisy picture may be right and yet too noisy: it has points, too.
             const bool earns = c.verdict == Verdict::pass || (c.kind == "statistical" && c.verdict == Verdict::partial);
-            if (!is_picture(c) || c.mode != "isolated" || !earns ||
-                c.image->scene != scene.scene || asked.empty() || right > 0)
+            if (!is_picture(c) || c.mode != "isolated" || !earns || c.image->scene != scene.scene || asked.empty() ||
+                right > 0)
                 continue;
             c.points = 0;
             c.verdict = Verdict::partial;
@@ -206,10 +207,11 @@ TaskResult task_result(const StepOrder& order, const Task& task, const std::vect
 // The picture, and the rays of the pixel that is most wrong: with the same sides as in the check.
 std::string picture_command(const Check& c, int step) {
     const ImageResult& image = *c.image;
-    const std::string view = fmt::format("--width {} --height {} --from {}", image.width, image.height,
-                                         c.mode == "isolated" ? fmt::format("student-{}", step) : "student") +
-                             (image.partition.empty() ? "" : " --partition " + image.partition) +
-                             (c.statistics ? fmt::format(" --pattern sobol --samples {} --seed 1", c.statistics->samples) : "");
+    const std::string view =
+        fmt::format("--width {} --height {} --from {}", image.width, image.height,
+                    c.mode == "isolated" ? fmt::format("student-{}", step) : "student") +
+        (image.partition.empty() ? "" : " --partition " + image.partition) +
+        (c.statistics ? fmt::format(" --pattern sobol --samples {} --seed 1", c.statistics->samples) : "");
     std::string text = fmt::format("./rays render scenes/{} -o picture.png {}", image.scene, view);
     if (image.beyond_rounding > 0)
         text +=

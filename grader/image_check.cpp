@@ -123,19 +123,22 @@ Check all_mine_check(const Bench& bench, const SceneTask& scene, const fs::path&
 Check exact_fresh_picture(const Bench& bench, const Task& task, const FreshPick& pick, int place) {
     // Small pictures: 0.05 % is about one pixel, and two equally good roundings may part on more than one edge pixel.
     constexpr int kLeastAllowed = 3;
-    Check check = new_check(fmt::format("{}.fresh.{}", task.id, place + 1), task.id, "fresh", task.title + ": fresh scenes", 1);
+    Check check =
+        new_check(fmt::format("{}.fresh.{}", task.id, place + 1), task.id, "fresh", task.title + ": fresh scenes", 1);
     check.image.emplace().scene = pick.name;
     check.image->partition = task.partition;
     // What lies around each pixel of the solution's frame.
     const Shot around = pick.frame.against ? pick.frame
-                                           : shoot(bench.sandbox, bench.solution, pick.files, {4 * kFreshWidth, 4 * kFreshHeight}, bench.limits);
+                                           : shoot(bench.sandbox, bench.solution, pick.files,
+                                                   {4 * kFreshWidth, 4 * kFreshHeight}, bench.limits);
     if (around.against) {
         check.verdict = Verdict::infrastructure_error;
         check.message = "the solution cannot render a fresh scene: " + around.against->message;
         return check;
     }
     const Reference truth = make_reference(pick.frame.picture, around.picture);
-    const Shot shot = shoot(bench.sandbox, bench.student, pick.files, {kFreshWidth, kFreshHeight}, bench.limits, options_of(task.partition));
+    const Shot shot = shoot(bench.sandbox, bench.student, pick.files, {kFreshWidth, kFreshHeight}, bench.limits,
+                            options_of(task.partition));
     judge({bench, bench.student, pick.files, truth, kFreshTolerance, kLeastAllowed}, shot, check);
     if (check.verdict == Verdict::pass) return check;
     check.image->student = kept_picture(bench, check.id, shot.exr);

@@ -66,9 +66,12 @@ int run(int argc, char** argv) {
     auto* grade = app.add_subcommand("grade", "grade the working copy, a submission, or the solutions");
     grade->add_option("step", a.grade.steps, "numbers of steps; none: all");
     grade->add_option("--from", a.grade.from, "student or solution")->capture_default_str();
-    grade->add_option("--submission", a.submission, "a folder (or .tar.gz, .zip) with the student's files, as in steps/ or flat");
+    grade->add_option("--submission", a.submission,
+                      "a folder (or .tar.gz, .zip) with the student's files, as in steps/ or flat");
     grade->add_option("--out", a.out, "folder for results.json, images/ and index.html; default report/out");
-    grade->add_option("--charts", a.grade.charts, "a charts.json of ./rays chart: the student is timed for it; default: the one in the folder of --out");
+    grade->add_option(
+        "--charts", a.grade.charts,
+        "a charts.json of ./rays chart: the student is timed for it; default: the one in the folder of --out");
     grade->add_option("--seed", a.seed, "of questions and fresh scenes; default: a new one for every run");
     grade->add_flag("--json", a.json, "print results.json instead of the summary");
     auto* submission = app.add_subcommand("submission", "render, check and pack what is handed in");

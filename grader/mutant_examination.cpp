@@ -60,7 +60,8 @@ public:
         if (!variant && !outcome_.caught_by.empty()) return;
         for (const SceneTask& scene : stage_.step.scenes) {
             // Noisy pictures take seconds: those of its own task, and whatever shows several tasks together.
-            const bool is_its = std::find(scene.tasks.begin(), scene.tasks.end(), outcome_.mutant.task) != scene.tasks.end();
+            const bool is_its =
+                std::find(scene.tasks.begin(), scene.tasks.end(), outcome_.mutant.task) != scene.tasks.end();
             if (scene.samples > 0 && !is_its && scene.tasks.size() < 3) continue;
             note(scene.samples > 0 ? statistical_check(bench_, scene) : image_check(bench_, scene));
             if (!variant && !outcome_.caught_by.empty()) return;

@@ -10,8 +10,8 @@
 #include "core/error.h"
 #include "grader/mutant_examination.h"
 #include "grader/text.h"
-#include "support/files.h"
 #include "references/in_parallel.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {
@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// A mutant that loops costs its time limit, and one that fills the memory the time to fill it: both are far above what a
-/// right program takes for any of these runs (less than 160 MB).
+/// A mutant that loops costs its time limit, and one that fills the memory the time to fill it: both are far above what
+/// a right program takes for any of these runs (less than 160 MB).
 constexpr Limits kMutantLimits{10, 15, 512, 64, 64, 8};
 
 const char* kind_text(Mutant::Kind kind) {
@@ -37,12 +37,10 @@ std::string verdict_text(const Outcome& o) {
     if (!o.problem.empty()) return "BROKEN: " + plain_lines(o.problem, 2000);
     const std::string by = joined(o.caught_by, 3);
     switch (o.mutant.kind) {
-        case Mutant::Kind::variant:
-            return o.caught_by.empty() ? "unhurt" : "HURT by " + by;
+        case Mutant::Kind::variant: return o.caught_by.empty() ? "unhurt" : "HURT by " + by;
         case Mutant::Kind::naive:
             return o.naive.empty() ? "NO SWEEP" : o.caught_by.empty() ? "charted" : "charted, fails " + by;
-        default:
-            break;
+        default: break;
     }
     if (o.caught_by.empty()) return "NOT CAUGHT";
     return fmt::format("caught by {}{}; {}", by, o.by_own_task ? "" : " (not its own task's)",

@@ -39,8 +39,8 @@ ReferenceFiles reference_files(const Bench& bench, const std::string& scene, boo
         throw InputError(
             fmt::format("{} has changed since its reference was made: run ./rays references {}", scene, stem(scene)));
     if (entry->averaged() != averaged)
-        throw InputError(fmt::format("the reference of {} is {}: in step.json, \"samples\" and \"seeds\" {}", scene, entry->method,
-                                     averaged ? "are for means of frames" : "are missing"));
+        throw InputError(fmt::format("the reference of {} is {}: in step.json, \"samples\" and \"seeds\" {}", scene,
+                                     entry->method, averaged ? "are for means of frames" : "are missing"));
     return result;
 }
 

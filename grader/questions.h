@@ -13,8 +13,8 @@ struct Answer {
     enum class Kind { value, miss, unfinished, error, missing, lost };
     /// missing: the process ended or timed out before it; lost: it did so when asked this question alone
     Kind kind = Kind::missing;
-    std::vector<double> numbers; ///< value: all numbers of the line, the word "hit" left out
-    std::string text;            ///< the line as it came: hostile
+    std::vector<double> numbers;  ///< value: all numbers of the line, the word "hit" left out
+    std::string text;             ///< the line as it came: hostile
 
     bool came() const { return kind != Kind::missing && kind != Kind::lost; }
 };

@@ -97,7 +97,8 @@ std::string hit_difference(const Query& a, const Query& b) {
                                       : "reaches the light; the solution's is blocked";
     if (a.pruned != b.pruned)
         return a.pruned ? fmt::format("is not traced (weight {:.4g}); the solution's is", a.weight)
-                        : fmt::format("is traced (weight {:.4g}); the solution's is not (weight {:.4g})", a.weight, b.weight);
+                        : fmt::format("is traced (weight {:.4g}); the solution's is not (weight {:.4g})", a.weight,
+                                      b.weight);
     if (!near(a.weight, b.weight, 0))
         return fmt::format("has the weight {:.6g}; the solution's has {:.6g}", a.weight, b.weight);
     if (a.hit != b.hit)

@@ -73,15 +73,22 @@ Json json_of(const ImageResult& i) {
 }
 
 Json json_of(const ChannelDifference& d) {
-    return {{"channel", d.channel}, {"difference", number(d.difference)}, {"reference", number(d.reference)},
-            {"margin", number(d.margin)}, {"standard_error", number(d.standard_error)}, {"z", number(d.z)},
-            {"limit", number(d.limit)}, {"wrong", d.wrong}};
+    return {{"channel", d.channel},
+            {"difference", number(d.difference)},
+            {"reference", number(d.reference)},
+            {"margin", number(d.margin)},
+            {"standard_error", number(d.standard_error)},
+            {"z", number(d.z)},
+            {"limit", number(d.limit)},
+            {"wrong", d.wrong}};
 }
 
 Json json_of(const StatisticsResult& s) {
-    Json j{{"samples", s.samples}, {"seeds", s.seeds}, {"batches", s.batches}, {"alarm_rate", s.alarm_rate},
-           {"not_finite", s.not_finite}, {"tiles", s.tiles}, {"tiles_wrong", s.tiles_wrong},
-           {"tile_margin", s.tile_margin}, {"whole_margin", s.whole_margin}};
+    Json j{{"samples", s.samples},          {"seeds", s.seeds},
+           {"batches", s.batches},          {"alarm_rate", s.alarm_rate},
+           {"not_finite", s.not_finite},    {"tiles", s.tiles},
+           {"tiles_wrong", s.tiles_wrong},  {"tile_margin", s.tile_margin},
+           {"whole_margin", s.whole_margin}};
     if (s.worst) {
         j["worst"] = {{"x", s.worst->x}, {"y", s.worst->y}, {"width", s.worst->width}, {"height", s.worst->height}};
         j["worst"].update(json_of(s.worst->difference));

@@ -34,7 +34,7 @@ struct RayTrees {
 
 struct ImageResult {
     std::string scene;
-    std::string partition;  ///< as in SceneTask; told by Check::reproduce
+    std::string partition;                     ///< as in SceneTask; told by Check::reproduce
     std::string student, reference, solution;  ///< paths relative to the folder of results.json; empty: there is none
     int width = 0, height = 0, pixels = 0, beyond_rounding = 0, on_silhouettes = 0;
     double max_error = 0, rmse = 0;
@@ -66,8 +66,8 @@ struct StatisticsResult {
     double alarm_rate = 0;  ///< of all batches together
     double tile_margin = 0, whole_margin = 0;
     std::optional<WorstTile> worst{};
-    std::vector<ChannelDifference> whole{};  ///< of the whole picture, by channel
-    double variance = 0;                     ///< over the seeds, mean over pixels and channels
+    std::vector<ChannelDifference> whole{};                    ///< of the whole picture, by channel
+    double variance = 0;                                       ///< over the seeds, mean over pixels and channels
     std::optional<double> solution_variance{}, noise_ratio{};  ///< absent: the noise was not compared
     double noise_full = 0, noise_none = 0;
     std::string z_picture{};  ///< EXR: every pixel has its tile's z; relative to the folder of results.json
@@ -87,9 +87,9 @@ struct Chart {
 };
 
 struct Check {
-    std::string id;                 ///< "1.3.unit", "1.picture.one_sphere", "1.3.fresh", "1.3.distance"
-    std::string task;               ///< the task it belongs to
-    std::string kind;               ///< "unit", "image", "statistical", "fresh", "stability", "demonstration" or "report"
+    std::string id;    ///< "1.3.unit", "1.picture.one_sphere", "1.3.fresh", "1.3.distance"
+    std::string task;  ///< the task it belongs to
+    std::string kind;  ///< "unit", "image", "statistical", "fresh", "stability", "demonstration" or "report"
     std::string mode = "isolated";  ///< or "all mine"
     std::string title;
     Verdict verdict = Verdict::fail;
@@ -145,8 +145,8 @@ struct SpeedPoint {
     std::string label;          ///< of the solution's point; empty: it is the one at x = at
     double at = 0;
     std::string time{};                    ///< where the chart has time: "x", "y", or "1/x"
-    Verdict verdict = Verdict::pass;    ///< all but pass: there is no point
-    std::string message{};              ///< why there is none, or what is to be said about it
+    Verdict verdict = Verdict::pass;       ///< all but pass: there is no point
+    std::string message{};                 ///< why there is none, or what is to be said about it
     double median = 0, low = 0, high = 0;  ///< the student's processor time over the solution's, run in turns
     int rounds = 0;
     std::optional<double> error{};  ///< of the picture, as charts have it

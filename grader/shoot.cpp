@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "support/files.h"
 #include "references/scene_files.h"
+#include "support/files.h"
 
 namespace rays::grader {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "references/averaged.h"
 #include "grader/checks.h"
 #include "grader/fresh_pictures.h"
 #include "grader/picture_parts.h"
 #include "grader/statistical_words.h"
+#include "references/averaged.h"
 
 namespace rays::grader {
 namespace {
@@ -48,8 +48,8 @@ public:
         for (int i = 0; i < seeds; ++i) {
             const std::uint64_t seed = seed_of(bench_.seed, scene_.scene, series, i);
             std::vector<std::string> options = options_of(scene_.partition);
-            for (const std::string& o : {std::string("--pattern"), std::string("sobol"), std::string("--samples"), std::to_string(scene_.samples),
-                                         std::string("--seed"), std::to_string(seed)})
+            for (const std::string& o : {std::string("--pattern"), std::string("sobol"), std::string("--samples"),
+                                         std::to_string(scene_.samples), std::string("--seed"), std::to_string(seed)})
                 options.push_back(o);
             Shot shot = shoot(bench_.sandbox, program, files_, raster_, bench_.limits, options);
             seconds_ += shot.seconds;
@@ -111,7 +111,8 @@ void fill(StatisticsResult& s, const Examination& e, const VerdictOptions& optio
 }
 
 // Numbers of the mean picture that every picture has; the page shows those of the statistics.
-void fill(ImageResult& image, const RgbImage& mean, const AveragedReference& truth, const std::optional<WorstTile>& worst) {
+void fill(ImageResult& image, const RgbImage& mean, const AveragedReference& truth,
+          const std::optional<WorstTile>& worst) {
     image.pixels = static_cast<int>(truth.mean.pixels.size());
     double squares = 0;
     int counted = 0;
@@ -247,7 +248,8 @@ AveragedReference truth_by_solution(const Pictures& pictures) {
     for (std::size_t i = 0; i < truth.mean.pixels.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c) {
             double squares = 0;
-            for (const RgbImage& picture : pictures) squares += std::pow(double(picture.pixels[i][c]) - double(truth.mean.pixels[i][c]), 2);
+            for (const RgbImage& picture : pictures)
+                squares += std::pow(double(picture.pixels[i][c]) - double(truth.mean.pixels[i][c]), 2);
             truth.error.pixels[i][c] = static_cast<float>(std::sqrt(squares / (n * (n - 1))));
         }
     return truth;
@@ -258,7 +260,8 @@ AveragedReference truth_by_solution(const Pictures& pictures) {
 Check noisy_fresh_picture(const Bench& bench, const Task& task, const FreshPick& pick, int place) {
     constexpr int kSamples = 16, kSeeds = 8, kSamplesOfTruth = 64;
     const Raster raster{kFreshWidth, kFreshHeight};
-    Check check = new_check(fmt::format("{}.fresh.{}", task.id, place + 1), task.id, "fresh", task.title + ": fresh scenes", 1);
+    Check check =
+        new_check(fmt::format("{}.fresh.{}", task.id, place + 1), task.id, "fresh", task.title + ": fresh scenes", 1);
     check.image.emplace().scene = pick.name;
     SceneTask scene, finer;
     scene.scene = finer.scene = pick.name;
@@ -268,7 +271,8 @@ Check noisy_fresh_picture(const Bench& bench, const Task& task, const FreshPick&
     const Pictures pictures = solution.take(bench.solution, Series::solution, kSeeds);
     if (pictures.empty()) {
         check.verdict = Verdict::infrastructure_error;
-        check.message = "the solution cannot render a fresh scene" + (solution.against() ? ": " + solution.against()->message : "");
+        check.message =
+            "the solution cannot render a fresh scene" + (solution.against() ? ": " + solution.against()->message : "");
         return check;
     }
     check.image->width = raster.width;

@@ -14,10 +14,10 @@ constexpr double kMostZ = 999;
 constexpr double kMostFreedom = 1e6;
 /// A channel that is hardly there is judged by the picture's colours: a tenth of their mean counts as its level.
 constexpr double kFaintChannel = 0.1;
-/// Tiles each way whose variance a tile is also given; the far ones where light is so rare that fewer events than these, a
-/// tile in a seed, carry all variance there. Measured: with the near ones alone, fireflies of 600 times the level that come
-/// to one sample in 50 000 are missed by all, twice, in 0.15 % of gradings; with the far ones everywhere, a square that is
-/// 10 % too dark among edges is seen in 51 % instead of 74 %.
+/// Tiles each way whose variance a tile is also given; the far ones where light is so rare that fewer events than
+/// these, a tile in a seed, carry all variance there. Measured: with the near ones alone, fireflies of 600 times the
+/// level that come to one sample in 50 000 are missed by all, twice, in 0.15 % of gradings; with the far ones
+/// everywhere, a square that is 10 % too dark among edges is seen in 51 % instead of 74 %.
 constexpr int kNear = 1, kFar = 2;
 constexpr double kFewEvents = 10;
 
@@ -77,7 +77,7 @@ Estimate mean_of(const std::vector<double>& variances, double freedom_of_each) {
 /// Over the seeds, of a tile or the whole picture in one channel.
 struct Sample {
     double difference = 0, reference = 0, error = 0;
-    double variance = 0;      ///< of a seed's mean
+    double variance = 0;       ///< of a seed's mean
     double fourth_powers = 0;  ///< sum over the seeds of their differences from the mean
 };
 
@@ -177,7 +177,8 @@ private:
     template <class F>
     void each_near(int column, int row, int reach, F f) const {
         for (int r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r)
-            for (int c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c) f(tile_index(c, r));
+            for (int c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c)
+                f(tile_index(c, r));
     }
 
     Estimate of_neighbourhood(std::size_t channel, int column, int row, int reach) const {

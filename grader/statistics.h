@@ -72,8 +72,8 @@ struct Examination {
 /// counts as known exactly; degrees of freedom by Welch and Satterthwaite.
 ///
 /// Where light is rare but bright, all seeds of a tile may have missed it: their spread then says nothing of it. So a
-/// tile is also given the mean variance of the 3 x 3 tiles around it, and of the 5 x 5 where few of these have most of the
-/// variance; whichever allows most counts.
+/// tile is also given the mean variance of the 3 x 3 tiles around it, and of the 5 x 5 where few of these have most of
+/// the variance; whichever allows most counts.
 Examination examine(const Pictures& pictures, const AveragedReference& truth, const BiasOptions& options,
                     const std::vector<Suspect>& suspects = {});
 

@@ -37,15 +37,19 @@ Task task_of(const json& j, const Step& step) {
 
 /// "samples": 16, "seeds": 8, "noise": [1.75, 2.5]; the last may be left out.
 void read_noise(const json& j, SceneTask& scene) {
-    const auto refuse = [&](const std::string& what) { throw InputError(fmt::format("scene {}: {}", scene.scene, what)); };
+    const auto refuse = [&](const std::string& what) {
+        throw InputError(fmt::format("scene {}: {}", scene.scene, what));
+    };
     if (!j.contains("samples") || !j.contains("seeds"))
         refuse("a noisy scene needs both \"samples\" and \"seeds\"; one without noise needs neither");
     if (!j.at("samples").is_number_integer() || !j.at("seeds").is_number_integer())
         refuse("\"samples\" and \"seeds\" are whole numbers");
     scene.samples = j.at("samples");
     scene.seeds = j.at("seeds");
-    if (scene.samples < 1 || scene.samples > 4096) refuse(fmt::format("\"samples\" is {}: need 1 to 4096", scene.samples));
-    if (scene.seeds < 8 || scene.seeds > 64) refuse(fmt::format("\"seeds\" is {}: need 8 to 64, for fewer say little of their spread", scene.seeds));
+    if (scene.samples < 1 || scene.samples > 4096)
+        refuse(fmt::format("\"samples\" is {}: need 1 to 4096", scene.samples));
+    if (scene.seeds < 8 || scene.seeds > 64)
+        refuse(fmt::format("\"seeds\" is {}: need 8 to 64, for fewer say little of their spread", scene.seeds));
     if (!j.contains("noise")) return;
     const json& noise = j.at("noise");
     if (!noise.is_array() || noise.size() != 2 || !noise[0].is_number() || !noise[1].is_number())
@@ -82,7 +86,8 @@ SpeedTask speed_of(const json& j) {
     task.scene = j.at("scene");
     task.width = j.at("width");
     task.height = j.at("height");
-    for (const json& s : j.at("settings")) task.settings.push_back({s.at("label"), s.value("add", ""), s.value("samples", 0)});
+    for (const json& s : j.at("settings"))
+        task.settings.push_back({s.at("label"), s.value("add", ""), s.value("samples", 0)});
     task.truth = j.value("truth", "");
     return task;
 }

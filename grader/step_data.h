@@ -24,8 +24,8 @@ struct SceneTask {
     std::string shows;
     std::string partition;  ///< with which structure it is rendered: "grid"; empty: as the program chooses
     // A noisy scene is judged statistically.
-    int samples = 0;  ///< a pixel; 0: the scene has no noise, its picture is exact
-    int seeds = 0;    ///< of the first batch
+    int samples = 0;                             ///< a pixel; 0: the scene has no noise, its picture is exact
+    int seeds = 0;                               ///< of the first batch
     double noise_full = 1.75, noise_none = 2.5;  ///< variance over the solution's: full points up to, none from
 
     bool statistical() const { return samples > 0; }
@@ -51,8 +51,8 @@ struct SpeedTask {
         int samples = 0;         ///< Sobol's; 0: the picture is no mean
     };
     std::vector<Setting> settings;
-    /// Settings of the solution's picture that errors are differences to; kReference: POV-Ray's frames, averaged; empty: no
-    /// errors.
+    /// Settings of the solution's picture that errors are differences to; kReference: POV-Ray's frames, averaged;
+    /// empty: no errors.
     std::string truth;
     static constexpr const char* kReference = "reference";
     // Structures.
@@ -81,9 +81,9 @@ struct RubricRow {
     std::string id, title;
     double points = 0;
     bool extra = false;
-    std::vector<std::string> counts;  ///< the `rubric` words of tasks that count for it; its own id when none is given
-    std::string note;                 ///< why it is not graded yet, when no task counts for it
-    std::vector<std::string> shows{}; ///< features that pictures of a hand-in must show; equal shares of its points
+    std::vector<std::string> counts;   ///< the `rubric` words of tasks that count for it; its own id when none is given
+    std::string note;                  ///< why it is not graded yet, when no task counts for it
+    std::vector<std::string> shows{};  ///< features that pictures of a hand-in must show; equal shares of its points
 };
 
 struct Rubric {

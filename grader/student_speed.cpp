@@ -122,11 +122,13 @@ Limits limits_of(const Bench& bench) {
 
 // ---- Pictures -------------------------------------------------------------------------------------------------------
 
-Job picture_job(const Bench& bench, const SpeedTask& task, SceneFiles files, const std::string& settings, int samples = 0) {
+Job picture_job(const Bench& bench, const SpeedTask& task, SceneFiles files, const std::string& settings,
+                int samples = 0) {
     if (!settings.empty()) files.front().bytes += fmt::format("\nglobal_settings {{ {} }}\n", settings);
     Job job = render_job({}, files, {task.width, task.height}, limits_of(bench));
     job.arguments.insert(job.arguments.end(), {"-o", kPicture});
-    if (samples > 0) job.arguments.insert(job.arguments.end(), {"--pattern", "sobol", "--samples", std::to_string(samples)});
+    if (samples > 0)
+        job.arguments.insert(job.arguments.end(), {"--pattern", "sobol", "--samples", std::to_string(samples)});
     job.outputs = {kPicture};
     return job;
 }
@@ -144,8 +146,7 @@ class Truth {
 public:
     Truth(const Bench& bench, const SpeedTask& task, const SceneFiles& files) {
         if (task.truth == SpeedTask::kReference) {
-            reference_ = load_averaged_reference(
-                (bench.project.references() / task.scene).replace_extension(".exr"));
+            reference_ = load_averaged_reference((bench.project.references() / task.scene).replace_extension(".exr"));
         } else {
             picture_ = picture_of(run(bench, bench.solution, {picture_job(bench, task, files, task.truth)}).last, task);
         }

@@ -77,7 +77,8 @@ std::string handed_in_text(const HandedIn& handed_in, const std::filesystem::pat
                                    points(handed_in.points), points(handed_in.max));
     for (const Check& c : handed_in.checks)
         if (c.max > 0)
-            text += fmt::format("  {:<50} {:<14} {:>6} / {}\n", plain(c.title, 50), to_string(c.verdict), points(c.points), points(c.max));
+            text += fmt::format("  {:<50} {:<14} {:>6} / {}\n", plain(c.title, 50), to_string(c.verdict),
+                                points(c.points), points(c.max));
     for (const Check& c : handed_in.checks)
         if (c.verdict != Verdict::pass) text += check_lines(c, out, true);
     return text;
@@ -104,9 +105,10 @@ std::string summary(const Results& r, const std::filesystem::path& out) {
         text += "INFRASTRUCTURE ERROR, this is no grade: " + plain(r.infrastructure_error, 600) + "\n";
     if (r.real == "float")
         text += "Built with RAYSTEPS_REAL=float: exact pictures and full marks are promised for double only.\n";
-    text += fmt::format("Score: {} of {} points that can be graded today{}; seed {}, {:.1f} s, sandbox tier \"{}\"{}\n",
-                        points(r.points), points(r.max), r.extra > 0 ? fmt::format(", and {} extra", points(r.extra)) : "",
-                        r.seed, r.seconds, r.sandbox_tier, r.complete ? "" : "; PARTIAL RESULT");
+    text +=
+        fmt::format("Score: {} of {} points that can be graded today{}; seed {}, {:.1f} s, sandbox tier \"{}\"{}\n",
+                    points(r.points), points(r.max), r.extra > 0 ? fmt::format(", and {} extra", points(r.extra)) : "",
+                    r.seed, r.seconds, r.sandbox_tier, r.complete ? "" : "; PARTIAL RESULT");
     return text + "Results: " + (out / "results.json").string() + "\n";
 }
 

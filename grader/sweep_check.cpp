@@ -81,8 +81,8 @@ Line line_of(const Sweep& sweep, const Replies& replies, const char* role) {
 
 Verdict verdict_of(const Line& line, const Replies& replies) {
     if (line.counted > 0 && line.right == line.counted) return Verdict::pass;
-    const bool missing = std::any_of(replies.answers.begin(), replies.answers.end(),
-                                     [](const Answer& a) { return !a.came(); });
+    const bool missing =
+        std::any_of(replies.answers.begin(), replies.answers.end(), [](const Answer& a) { return !a.came(); });
     if (missing && replies.ended.timed_out) return Verdict::time_out;
     if (missing && replies.ended.signal) return Verdict::crash;
     // Where the method is not needed (a transform that is the identity, say) an unwritten task is right by luck.

@@ -136,7 +136,8 @@ PageParts read_parts(const fs::path& folder) {
         const fs::path file = folder / fmt::format("gallery/small/step_{}.jpg", step);
         if (!fs::exists(file)) continue;
         const std::string bytes = read_text(file, sources);
-        parts.heroes += fmt::format("<img data-step=\"{}\" alt=\"\" src=\"data:image/jpeg;base64,{}\">", step, base64(Bytes(bytes.begin(), bytes.end())));
+        parts.heroes += fmt::format("<img data-step=\"{}\" alt=\"\" src=\"data:image/jpeg;base64,{}\">", step,
+                                    base64(Bytes(bytes.begin(), bytes.end())));
     }
     parts.notices = "img-comparison-slider\n\n" + read_text(folder / "licenses/img-comparison-slider.txt", sources) +
                     "\n\nuPlot\n\n" + read_text(packages / "uplot/LICENSE", install);

@@ -67,8 +67,8 @@ bool make_pipe(Pipe& pipe) {
     return true;
 }
 
-/// Everything the child needs, made before it starts: then only async-signal-safe calls are allowed, and no memory of its
-/// own but the stack.
+/// Everything the child needs, made before it starts: then only async-signal-safe calls are allowed, and no memory of
+/// its own but the stack.
 struct Prepared {
     std::vector<char*> argv, environment;
     const char* folder = nullptr;
@@ -183,7 +183,8 @@ pid_t start(const Prepared& prepared) {
     static const bool adopts = ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) == 0;
     static_cast<void>(adopts);
     const std::lock_guard lock(children_mutex);
-    // Until its exec the child borrows this memory: to copy a grader's page tables took longer than many a program runs.
+    // Until its exec the child borrows this memory: to copy a grader's page tables took longer than many a program
+    // runs.
     const pid_t pid = ::vfork();
     if (pid == 0) become(prepared);
     if (pid > 0) children.insert(pid);

@@ -93,7 +93,8 @@ Sweep opposite_light(Dice dice) {
 
 Sweep narrow_beam(Dice dice) {
     Sweep sweep = named("2.7.narrow", "The rim of an ever narrower spotlight", "falloff, degrees", "relative error");
-    // Comparing cosines, as POV-Ray does, is a correct solution: it holds down to here. What lies below is charted only.
+    // Comparing cosines, as POV-Ray does, is a correct solution: it holds down to here. What lies below is charted
+    // only.
     sweep.pass_from = 1e-3;
     sweep.pass_to = 60;
     return swept(sweep, decades(6e-11, 60), [&](Notebook& notes, double falloff) {
@@ -162,7 +163,8 @@ Sweep shadows_by_scale(Dice dice) {
 }
 
 Sweep shadows_by_translation(Dice dice) {
-    Sweep sweep = named("2.9.translation", "Acne and leaks far from the origin", "distance from the origin", kShareWrong);
+    Sweep sweep =
+        named("2.9.translation", "Acne and leaks far from the origin", "distance from the origin", kShareWrong);
     sweep.log_y = false;
     sweep.pass_from = 1;
     sweep.pass_to = 1e7;

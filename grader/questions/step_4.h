@@ -64,14 +64,14 @@ struct HardScene {
 };
 std::vector<HardScene> hard_scenes(Dice& dice);
 
-std::vector<Question> bounds(std::uint64_t seed);           // 4.1
-std::vector<Question> clips(std::uint64_t seed);            // 4.2
-std::vector<Question> grid_builds(std::uint64_t seed);      // 4.3
-std::vector<Question> grid_walks(std::uint64_t seed);       // 4.4
-std::vector<Question> mailboxes(std::uint64_t seed);        // 4.5
-std::vector<Question> octree_builds(std::uint64_t seed);    // 4.6
-std::vector<Question> octree_walks(std::uint64_t seed);     // 4.7
-std::vector<Question> any_hits(std::uint64_t seed);         // 4.8
-std::vector<Question> choices(std::uint64_t seed);          // 4.9
+std::vector<Question> bounds(std::uint64_t seed);         // 4.1
+std::vector<Question> clips(std::uint64_t seed);          // 4.2
+std::vector<Question> grid_builds(std::uint64_t seed);    // 4.3
+std::vector<Question> grid_walks(std::uint64_t seed);     // 4.4
+std::vector<Question> mailboxes(std::uint64_t seed);      // 4.5
+std::vector<Question> octree_builds(std::uint64_t seed);  // 4.6
+std::vector<Question> octree_walks(std::uint64_t seed);   // 4.7
+std::vector<Question> any_hits(std::uint64_t seed);       // 4.8
+std::vector<Question> choices(std::uint64_t seed);        // 4.9
 
 }  // namespace rays::grader::step_4

@@ -24,7 +24,8 @@ Judge encloses(const Box& tight) {
             const L low = answer.numbers[std::size_t(a)], high = answer.numbers[std::size_t(a) + 3];
             // The truth itself is rounded once; a student's bounds may be, too, when they err outwards elsewhere.
             const L rounding = 1e-12L * (1 + std::abs(tight.min[a]) + std::abs(tight.max[a]));
-            ok = ok && low <= tight.min[a] + rounding && high >= tight.max[a] - rounding && high - low <= size[a] + 2 * room;
+            ok = ok && low <= tight.min[a] + rounding && high >= tight.max[a] - rounding &&
+                 high - low <= size[a] + 2 * room;
         }
         return verdict(ok, expected);
     };
@@ -64,7 +65,8 @@ void ask_round_shapes(Notebook& book, Dice& dice) {
     const V c = dice.position(5);
     const L r = dice.round_between(0.1, 3);
     ask(book, fmt::format("sphere {{ {}, {} }}", vector(c), number(r)), {c - r, c + r}, "a sphere");
-    const V base = dice.position(4), cap = construct::rounded(base + V(dice.round_between(1, 2), dice.round_between(1, 3), 0.5L));
+    const V base = dice.position(4),
+            cap = construct::rounded(base + V(dice.round_between(1, 2), dice.round_between(1, 3), 0.5L));
     const L r0 = dice.round_between(0.2, 1), r1 = dice.round_between(0, 1);
     const V axis = glm::normalize(cap - base);
     const Box one = around_disc(base, axis, r0), other = around_disc(cap, axis, r1);
@@ -73,7 +75,8 @@ void ask_round_shapes(Notebook& book, Dice& dice) {
     const L major = dice.round_between(1, 2), minor = dice.round_between(0.1, 0.5);
     const V shift = dice.position(3);
     const V reach(major + minor, minor, major + minor);
-    ask(book, fmt::format("torus {{ {}, {} translate {} }}", number(major), number(minor), vector(shift)), {shift - reach, shift + reach}, "a torus");
+    ask(book, fmt::format("torus {{ {}, {} translate {} }}", number(major), number(minor), vector(shift)),
+        {shift - reach, shift + reach}, "a torus");
     // Stretched and turned, as no sphere can be: an ellipsoid, whose reach along an axis is the length of a row.
     const L turn = dice.round_between(10, 80);
     const V stretch(2, 0.5L, 1);
@@ -85,34 +88,45 @@ void ask_round_shapes(Notebook& book, Dice& dice) {
         extent += column * column;
     }
     extent = glm::sqrt(extent);
-    ask(book, fmt::format("sphere {{ 0, 1 scale {} rotate {} * y translate {} }}", vector(stretch), number(turn), vector(shift)),
+    ask(book,
+        fmt::format("sphere {{ 0, 1 scale {} rotate {} * y translate {} }}", vector(stretch), number(turn),
+                    vector(shift)),
         {shift - extent, shift + extent}, "a stretched and turned sphere");
 }
 
 void ask_flat_shapes(Notebook& book, Dice& dice) {
     const V a = dice.position(5), b = dice.position(5), c = dice.position(5);
-    ask(book, fmt::format("triangle {{ {}, {}, {} }}", vector(a), vector(b), vector(c)), around({a, b, c}), "a triangle");
-    ask(book, fmt::format("mesh {{ triangle {{ 0, x, y }} triangle {{ {}, {}, {} }} }}", vector(a), vector(b), vector(c)),
+    ask(book, fmt::format("triangle {{ {}, {}, {} }}", vector(a), vector(b), vector(c)), around({a, b, c}),
+        "a triangle");
+    ask(book,
+        fmt::format("mesh {{ triangle {{ 0, x, y }} triangle {{ {}, {}, {} }} }}", vector(a), vector(b), vector(c)),
         around({V(glm::vec3(a)), V(glm::vec3(b)), V(glm::vec3(c))}), "a face of a mesh, not the whole mesh", 1);
     const L h = dice.round_between(-3, 3);
-    ask(book, fmt::format("polygon {{ 5, <0, 0, {0}>, <2, 0, {0}>, <3, 2, {0}>, <0, 1, {0}>, <0, 0, {0}> }}", number(h)),
+    ask(book,
+        fmt::format("polygon {{ 5, <0, 0, {0}>, <2, 0, {0}>, <3, 2, {0}>, <0, 1, {0}>, <0, 0, {0}> }}", number(h)),
         {V(0, 0, h), V(3, 2, h)}, "a polygon across the z axis: flat");
     const V n = construct::rounded(dice.unit()), p = dice.position(3);
     const L r = dice.round_between(0.5, 2);
-    ask(book, fmt::format("disc {{ {}, {}, {} }}", vector(p), vector(n), number(r)), around_disc(p, glm::normalize(n), r), "a disc");
+    ask(book, fmt::format("disc {{ {}, {}, {} }}", vector(p), vector(n), number(r)),
+        around_disc(p, glm::normalize(n), r), "a disc");
     const L turn = dice.round_between(10, 80);
     std::vector<V> corners;
-    for (int i = 0; i < 8; ++i) corners.push_back(turned_about_y(V(i & 1, 2 * (i >> 1 & 1), 3 * (i >> 2 & 1)), turn) + p);
-    ask(book, fmt::format("box {{ 0, <1, 2, 3> rotate {} * y translate {} }}", number(turn), vector(p)), around(corners), "a turned box: all eight corners");
+    for (int i = 0; i < 8; ++i)
+        corners.push_back(turned_about_y(V(i & 1, 2 * (i >> 1 & 1), 3 * (i >> 2 & 1)), turn) + p);
+    ask(book, fmt::format("box {{ 0, <1, 2, 3> rotate {} * y translate {} }}", number(turn), vector(p)),
+        around(corners), "a turned box: all eight corners");
 }
 
 void ask_clipped_and_unbounded(Notebook& book, Dice& dice) {
     book.objects(fmt::format("plane {{ y, {} }}\n", number(dice.round_between(-2, 2))));
     book.ask("bounds 0", "a plane has no bounds", unbounded());
     const V c = dice.position(3);
-    ask(book, fmt::format("sphere {{ {}, 2 clipped_by {{ box {{ {}, {} }} }} }}", vector(c), vector(c), vector(c + V(5))), {c, c + V(2)},
-        "a sphere clipped by a box");
-    ask(book, fmt::format("quadric {{ <1, 0, 1>, <0, 0, 0>, <0, 0, 0>, -4 clipped_by {{ box {{ {}, {} }} }} }}", vector(V(-1, -3, -1)), vector(V(1, 3, 1))),
+    ask(book,
+        fmt::format("sphere {{ {}, 2 clipped_by {{ box {{ {}, {} }} }} }}", vector(c), vector(c), vector(c + V(5))),
+        {c, c + V(2)}, "a sphere clipped by a box");
+    ask(book,
+        fmt::format("quadric {{ <1, 0, 1>, <0, 0, 0>, <0, 0, 0>, -4 clipped_by {{ box {{ {}, {} }} }} }}",
+                    vector(V(-1, -3, -1)), vector(V(1, 3, 1))),
         {V(-1, -3, -1), V(1, 3, 1)}, "an endless quadric, made finite by its clip");
 }
 
@@ -142,7 +156,8 @@ void ask_slanted(Notebook& book, Dice& dice) {
         V d = glm::abs(dice.unit()) + 0.1L;
         for (int a = 0; a < 3; ++a)
             if (octant >> a & 1) d[a] = -d[a];
-        ask_clip(book, box, from_to(inside - 20.0L * d, inside), "a slanted ray, signs of the direction number " + std::to_string(octant));
+        ask_clip(book, box, from_to(inside - 20.0L * d, inside),
+                 "a slanted ray, signs of the direction number " + std::to_string(octant));
     }
     ask_clip(book, box, from_to(inside, inside + dice.unit()), "from inside: it enters where the range begins");
     Beam behind = from_to(inside + 20.0L * V(1, 0.5L, 0.2L), inside + 21.0L * V(1, 0.5L, 0.2L));

@@ -28,12 +28,14 @@ Grid random_grid(Dice& dice) { return {random_box(dice), {dice.whole(2, 7), dice
 Judge lists(const Cell& first, const Cell& last) {
     return [=](const Answer& answer) {
         bool ok = has(answer, 6);
-        for (std::size_t a = 0; ok && a < 3; ++a) ok = answer.numbers[a] == first[a] && answer.numbers[a + 3] == last[a];
+        for (std::size_t a = 0; ok && a < 3; ++a)
+            ok = answer.numbers[a] == first[a] && answer.numbers[a + 3] == last[a];
         return verdict(ok, fmt::format("{} {} {} {} {} {}", first[0], first[1], first[2], last[0], last[1], last[2]));
     };
 }
 
-void ask_overlap(Notebook& book, const Grid& grid, const Cell& first, const Cell& last, const Box& box, const std::string& about) {
+void ask_overlap(Notebook& book, const Grid& grid, const Cell& first, const Cell& last, const Box& box,
+                 const std::string& about) {
     book.ask("cells_overlapping " + grid.text() + " " + box.text(), about, lists(first, last));
 }
 
@@ -56,15 +58,18 @@ void ask_overlaps(Notebook& book, Dice& dice) {
     const V low = in_cell(grid, first, share()), high = in_cell(grid, last, share());
     ask_overlap(book, grid, first, last, {low, high}, "a box over several cells: the last one counts, too");
     ask_overlap(book, grid, first, first, {low, low}, "a box of no size is in one cell");
-    ask_overlap(book, grid, first, end, {low, grid.box.max}, "up to the far face of the grid: the last cell, not one beyond it");
+    ask_overlap(book, grid, first, end, {low, grid.box.max},
+                "up to the far face of the grid: the last cell, not one beyond it");
     ask_overlap(book, grid, end, end, {grid.box.max, grid.box.max}, "in the far corner of the grid");
     ask_overlap(book, grid, {0, 0, 0}, last, {grid.box.min - 1.0L, high}, "a box that begins before the grid");
-    ask_overlap(book, grid, {0, 0, 0}, end, {grid.box.min - 1.0L, grid.box.max + 1.0L}, "a box around the grid: all cells");
+    ask_overlap(book, grid, {0, 0, 0}, end, {grid.box.min - 1.0L, grid.box.max + 1.0L},
+                "a box around the grid: all cells");
 }
 
 void ask_resolution(Notebook& book, const V& extent, int primitives, const std::string& about) {
     book.ask(fmt::format("resolution {} {}", numbers(extent), primitives), about, [=](const Answer& answer) {
-        const std::string expected = "between a fifth of the number of primitives and fifty times as many cells, about as long as wide";
+        const std::string expected =
+            "between a fifth of the number of primitives and fifty times as many cells, about as long as wide";
         if (!has(answer, 3)) return verdict(false, expected);
         L cells = 1, shortest = INFINITY, longest = 0;
         for (int a = 0; a < 3; ++a) {
@@ -75,7 +80,8 @@ void ask_resolution(Notebook& book, const V& extent, int primitives, const std::
             shortest = std::min(shortest, extent[a] / n);
             longest = std::max(longest, extent[a] / n);
         }
-        return verdict(cells >= L(primitives) / 5 && cells <= 50 * L(primitives) + 8 && !(longest > 3 * shortest), expected);
+        return verdict(cells >= L(primitives) / 5 && cells <= 50 * L(primitives) + 8 && !(longest > 3 * shortest),
+                       expected);
     });
 }
 
@@ -95,7 +101,8 @@ void ask_contents(Notebook& book, Dice& dice) {
     }
     book.objects(sdl);
     book.ask("contents", "planes stay outside, and the box is around all others", [=](const Answer& answer) {
-        const std::string expected = fmt::format("{} inside, {} outside, a box around {}", spheres, planes, tight.text());
+        const std::string expected =
+            fmt::format("{} inside, {} outside, a box around {}", spheres, planes, tight.text());
         bool ok = has(answer, 8) && answer.numbers[0] == spheres && answer.numbers[1] == planes;
         for (int a = 0; ok && a < 3; ++a) {
             const L low = answer.numbers[std::size_t(a) + 2], high = answer.numbers[std::size_t(a) + 5];
@@ -112,7 +119,8 @@ int index_of(const Grid& grid, const Cell& c) { return c[0] + grid.cells[0] * (c
 /// Cells and where each is left; the t of the very end may be that of the range or that of the next plane.
 Judge walks(const Grid& grid, const std::vector<Piece>& pieces) {
     std::string expected;
-    for (const Piece& p : pieces) expected += fmt::format("{}{} {}", expected.empty() ? "" : " ", index_of(grid, p.cell), number(p.exit));
+    for (const Piece& p : pieces)
+        expected += fmt::format("{}{} {}", expected.empty() ? "" : " ", index_of(grid, p.cell), number(p.exit));
     return [=](const Answer& answer) {
         bool ok = has(answer, 2 * pieces.size());
         for (std::size_t i = 0; ok && i < pieces.size(); ++i)
@@ -126,7 +134,8 @@ Judge walks(const Grid& grid, const std::vector<Piece>& pieces) {
 /// cell to the last.
 Judge steps_from_to(const Grid& grid, const Cell& first, const Cell& last) {
     return [=](const Answer& answer) {
-        const std::string expected = fmt::format("from cell {} to cell {}, one step along one axis at a time", index_of(grid, first), index_of(grid, last));
+        const std::string expected = fmt::format("from cell {} to cell {}, one step along one axis at a time",
+                                                 index_of(grid, first), index_of(grid, last));
         const auto& n = answer.numbers;
         if (answer.kind != Answer::Kind::value || n.size() % 2 != 0) return verdict(false, expected);
         bool ok = n[0] == index_of(grid, first) && n[n.size() - 2] == index_of(grid, last);
@@ -141,18 +150,22 @@ Judge steps_from_to(const Grid& grid, const Cell& first, const Cell& last) {
 
 void ask_walk(Notebook& book, const Grid& grid, const Beam& beam, const std::string& about) {
     const auto pieces = pieces_of(grid.box, grid.cells, beam);
-    if (!pieces.empty() && pieces.size() <= 30) book.ask("cells_along " + grid.text() + " " + beam.text(), about, walks(grid, pieces));
+    if (!pieces.empty() && pieces.size() <= 30)
+        book.ask("cells_along " + grid.text() + " " + beam.text(), about, walks(grid, pieces));
 }
 
 void ask_slanted_walks(Notebook& book, Dice& dice) {
     const Grid grid = random_grid(dice);
-    const auto inside = [&] { return grid.box.at({dice.between(0.1, 0.9), dice.between(0.1, 0.9), dice.between(0.1, 0.9)}); };
+    const auto inside = [&] {
+        return grid.box.at({dice.between(0.1, 0.9), dice.between(0.1, 0.9), dice.between(0.1, 0.9)});
+    };
     for (int octant = 0; octant < 8; ++octant) {
         V d = glm::abs(dice.unit()) + 0.1L;
         for (int a = 0; a < 3; ++a)
             if (octant >> a & 1) d[a] = -d[a];
         const V through = inside();
-        ask_walk(book, grid, from_to(through - 15.0L * d, through), fmt::format("across the grid, signs of the direction number {}", octant));
+        ask_walk(book, grid, from_to(through - 15.0L * d, through),
+                 fmt::format("across the grid, signs of the direction number {}", octant));
     }
     ask_walk(book, grid, from_to(inside(), inside() + 3.0L * dice.unit()), "from inside");
     Beam part = from_to(inside() - 9.0L * dice.unit(), inside());
@@ -177,10 +190,14 @@ void ask_straight_walks(Notebook& book, Dice& dice) {
     const int n = dice.whole(3, 6);
     const Grid cubes{{V(0), V(n)}, {n, n, n}};
     const Cell low{0, 0, 0}, high{n - 1, n - 1, n - 1};
-    book.ask(fmt::format("cells_along {} -1 -1 -1 1 1 1 0 1e30", cubes.text()), "through all corners of a diagonal", steps_from_to(cubes, low, high));
-    book.ask(fmt::format("cells_along {} {} {} {} -1 -1 -1 0 1e30", cubes.text(), n + 1, n + 1, n + 1), "and back", steps_from_to(cubes, high, low));
-    book.ask(fmt::format("cells_along {} -1 -1 0.5 1 1 0 0 1e30", cubes.text()), "through the edges of a layer", steps_from_to(cubes, low, {n - 1, n - 1, 0}));
-    book.ask(fmt::format("cells_along {} -1 1.5 1.5 0 1 0 0 1e30", cubes.text()), "past the grid: no cell", construct::misses_it());
+    book.ask(fmt::format("cells_along {} -1 -1 -1 1 1 1 0 1e30", cubes.text()), "through all corners of a diagonal",
+             steps_from_to(cubes, low, high));
+    book.ask(fmt::format("cells_along {} {} {} {} -1 -1 -1 0 1e30", cubes.text(), n + 1, n + 1, n + 1), "and back",
+             steps_from_to(cubes, high, low));
+    book.ask(fmt::format("cells_along {} -1 -1 0.5 1 1 0 0 1e30", cubes.text()), "through the edges of a layer",
+             steps_from_to(cubes, low, {n - 1, n - 1, 0}));
+    book.ask(fmt::format("cells_along {} -1 1.5 1.5 0 1 0 0 1e30", cubes.text()), "past the grid: no cell",
+             construct::misses_it());
 }
 
 }  // namespace
@@ -199,7 +216,8 @@ std::vector<Question> grid_builds(std::uint64_t seed) {
     ask_resolution(book, V(0, 0, 3), 20, "a line");
     for (const HardScene& hard : hard_scenes(dice)) {
         book.scene(construct::scene_of(hard.sdl));
-        book.ask(fmt::format("agreement_grid 300 {} 1", dice.whole(1, 1000000)), "random and adversarial rays: " + hard.about, all_agree());
+        book.ask(fmt::format("agreement_grid 300 {} 1", dice.whole(1, 1000000)),
+                 "random and adversarial rays: " + hard.about, all_agree());
     }
     return book.take();
 }
@@ -214,7 +232,8 @@ std::vector<Question> grid_walks(std::uint64_t seed) {
     }
     for (const HardScene& hard : hard_scenes(dice)) {
         book.scene(construct::scene_of(hard.sdl));
-        book.ask(fmt::format("agreement_grid 1000 {} 1", dice.whole(1, 1000000)), "random and adversarial rays: " + hard.about, all_agree());
+        book.ask(fmt::format("agreement_grid 1000 {} 1", dice.whole(1, 1000000)),
+                 "random and adversarial rays: " + hard.about, all_agree());
     }
     return book.take();
 }
@@ -244,7 +263,8 @@ std::vector<Question> mailboxes(std::uint64_t seed) {
     // Long enough that threads are at it at the same time, whatever else the machine does.
     for (const std::size_t i : {0u, 2u, 2u, 6u, 7u}) {
         book.scene(construct::scene_of(scenes[i].sdl));
-        book.ask(fmt::format("agreement_grid 12000 {} 4", dice.whole(1, 1000000)), "four threads at once: " + scenes[i].about, all_agree());
+        book.ask(fmt::format("agreement_grid 12000 {} 4", dice.whole(1, 1000000)),
+                 "four threads at once: " + scenes[i].about, all_agree());
     }
     return book.take();
 }

@@ -24,12 +24,14 @@ void ask_octants(Notebook& book, Dice& dice) {
         part.min[a] = o >> a & 1 ? middle[a] : node.min[a];
         part.max[a] = o >> a & 1 ? node.max[a] : middle[a];
     }
-    book.ask(fmt::format("octant {} {}", node.text(), o), "bit 0 is the upper half along x, bit 1 along y, bit 2 along z", [=](const Answer& answer) {
-        bool ok = has(answer, 6);
-        for (int a = 0; ok && a < 3; ++a)
-            ok = close(answer.numbers[std::size_t(a)], part.min[a]) && close(answer.numbers[std::size_t(a) + 3], part.max[a]);
-        return verdict(ok, part.text());
-    });
+    book.ask(fmt::format("octant {} {}", node.text(), o),
+             "bit 0 is the upper half along x, bit 1 along y, bit 2 along z", [=](const Answer& answer) {
+                 bool ok = has(answer, 6);
+                 for (int a = 0; ok && a < 3; ++a)
+                     ok = close(answer.numbers[std::size_t(a)], part.min[a]) &&
+                          close(answer.numbers[std::size_t(a) + 3], part.max[a]);
+                 return verdict(ok, part.text());
+             });
 }
 
 /// Along each axis in the lower half, in the upper one, or in both; `beyond` both ends of the node.
@@ -39,7 +41,12 @@ void ask_overlaps(Notebook& book, Dice& dice) {
     std::array<int, 3> where;
     for (int a = 0; a < 3; ++a) {
         where[std::size_t(a)] = dice.whole(0, 2);
-        const L from = where[std::size_t(a)] == 1 ? 0.55L : dice.coin() ? 0.1L : -0.4L, to = where[std::size_t(a)] == 0 ? 0.45L : dice.coin() ? 0.9L : 1.3L;
+        const L from = where[std::size_t(a)] == 1 ? 0.55L
+                       : dice.coin()              ? 0.1L
+                                                  : -0.4L,
+                to = where[std::size_t(a)] == 0 ? 0.45L
+                     : dice.coin()              ? 0.9L
+                                                : 1.3L;
         low[a] = from;
         high[a] = to;
     }
@@ -50,9 +57,10 @@ void ask_overlaps(Notebook& book, Dice& dice) {
         mask |= in << o;
     }
     const Box box{construct::rounded(node.at(low)), construct::rounded(node.at(high))};
-    book.ask(fmt::format("octants_overlapping {} {}", node.text(), box.text()), "the halves that it reaches along each axis", [=](const Answer& answer) {
-        return verdict(has(answer, 1) && answer.numbers[0] == mask, fmt::format("{}", mask));
-    });
+    book.ask(fmt::format("octants_overlapping {} {}", node.text(), box.text()),
+             "the halves that it reaches along each axis", [=](const Answer& answer) {
+                 return verdict(has(answer, 1) && answer.numbers[0] == mask, fmt::format("{}", mask));
+             });
 }
 
 void ask_touching(Notebook& book) {
@@ -73,12 +81,15 @@ void ask_touching(Notebook& book) {
 
 Judge passes(const std::vector<Piece>& pieces) {
     std::string expected;
-    for (const Piece& p : pieces) expected += fmt::format("{}octant {} up to {}", expected.empty() ? "" : ", ", octant_index(p.cell), number(p.exit));
+    for (const Piece& p : pieces)
+        expected +=
+            fmt::format("{}octant {} up to {}", expected.empty() ? "" : ", ", octant_index(p.cell), number(p.exit));
     return [=](const Answer& answer) {
         bool ok = has(answer, 3 * pieces.size());
         for (std::size_t i = 0; ok && i < pieces.size(); ++i) {
             const bool last = i + 1 == pieces.size();
-            ok = answer.numbers[3 * i] == octant_index(pieces[i].cell) && (last || close(answer.numbers[3 * i + 2], pieces[i].exit)) &&
+            ok = answer.numbers[3 * i] == octant_index(pieces[i].cell) &&
+                 (last || close(answer.numbers[3 * i + 2], pieces[i].exit)) &&
                  (i == 0 || close(answer.numbers[3 * i + 1], pieces[i - 1].exit));
         }
         return verdict(ok, expected);
@@ -92,15 +103,19 @@ void ask_passage(Notebook& book, const Box& node, const Beam& beam, const std::s
 
 void ask_passages(Notebook& book, Dice& dice) {
     const Box node = random_box(dice);
-    const auto inside = [&] { return node.at({dice.between(0.1, 0.9), dice.between(0.1, 0.9), dice.between(0.1, 0.9)}); };
+    const auto inside = [&] {
+        return node.at({dice.between(0.1, 0.9), dice.between(0.1, 0.9), dice.between(0.1, 0.9)});
+    };
     for (int octant = 0; octant < 8; ++octant) {
         V d = glm::abs(dice.unit()) + 0.1L;
         for (int a = 0; a < 3; ++a)
             if (octant >> a & 1) d[a] = -d[a];
         const V through = inside();
-        ask_passage(book, node, from_to(through - 15.0L * d, through), fmt::format("across the node, signs of the direction number {}", octant));
+        ask_passage(book, node, from_to(through - 15.0L * d, through),
+                    fmt::format("across the node, signs of the direction number {}", octant));
     }
-    ask_passage(book, node, from_to(inside(), inside() + 3.0L * dice.unit()), "from inside: octants behind are not passed");
+    ask_passage(book, node, from_to(inside(), inside() + 3.0L * dice.unit()),
+                "from inside: octants behind are not passed");
     Beam part = from_to(inside() - 9.0L * dice.unit(), inside());
     part.t_min = 0.9L;
     part.t_max = 1.05L;
@@ -110,7 +125,8 @@ void ask_passages(Notebook& book, Dice& dice) {
         d[axis] = dice.coin() ? 1 : -1;
         ask_passage(book, node, {construct::rounded(inside() - 10.0L * d), d}, "along an axis: zeros in the direction");
     }
-    book.ask("octants_along " + node.text() + " " + from_to(node.max + 3.0L, node.max + V(4, 4, 3)).text(), "past the node: none", construct::misses_it());
+    book.ask("octants_along " + node.text() + " " + from_to(node.max + 3.0L, node.max + V(4, 4, 3)).text(),
+             "past the node: none", construct::misses_it());
 }
 
 }  // namespace
@@ -124,7 +140,8 @@ std::vector<Question> octree_builds(std::uint64_t seed) {
     ask_touching(book);
     for (const HardScene& hard : hard_scenes(dice)) {
         book.scene(construct::scene_of(hard.sdl));
-        book.ask(fmt::format("agreement_octree 300 {} 1", dice.whole(1, 1000000)), "random and adversarial rays: " + hard.about, all_agree());
+        book.ask(fmt::format("agreement_octree 300 {} 1", dice.whole(1, 1000000)),
+                 "random and adversarial rays: " + hard.about, all_agree());
     }
     return book.take();
 }
@@ -136,7 +153,8 @@ std::vector<Question> octree_walks(std::uint64_t seed) {
     for (int i = 0; i < 2; ++i) ask_passages(book, dice);
     for (const HardScene& hard : hard_scenes(dice)) {
         book.scene(construct::scene_of(hard.sdl));
-        book.ask(fmt::format("agreement_octree 1000 {} 2", dice.whole(1, 1000000)), "random and adversarial rays: " + hard.about, all_agree());
+        book.ask(fmt::format("agreement_octree 1000 {} 2", dice.whole(1, 1000000)),
+                 "random and adversarial rays: " + hard.about, all_agree());
     }
     return book.take();
 }

@@ -97,24 +97,35 @@ std::string random_spheres(int count, int seed, const std::string& modifiers) {
 
 std::vector<HardScene> hard_scenes(Dice& dice) {
     const auto loop = [](int count, const std::string& body) {
-        return fmt::format("#declare R = seed(3);\n#declare I = 0;\n#while (I < {})\n{}\n#declare I = I + 1;\n#end\n", count, body);
+        return fmt::format("#declare R = seed(3);\n#declare I = 0;\n#while (I < {})\n{}\n#declare I = I + 1;\n#end\n",
+                           count, body);
     };
     const std::string random = "<rand(R), rand(R), rand(R)>";
     const int seed = dice.whole(1, 1000);
     return {
         {"spheres over a plane", random_spheres(150, seed) + "plane { y, -1 }\n"},
-        {"triangles of a mesh", "mesh {\n" + loop(150, "#declare P = " + random + " * 10;\ntriangle { P, P + " + random + ", P - <1, 0.5, 0.3> * rand(R) }") + "}\n"},
+        {"triangles of a mesh", "mesh {\n" +
+                                    loop(150, "#declare P = " + random + " * 10;\ntriangle { P, P + " + random +
+                                                  ", P - <1, 0.5, 0.3> * rand(R) }") +
+                                    "}\n"},
         {"long cylinders across many cells", loop(60, fmt::format("cylinder {{ {0} * 10, {0} * 10, 0.2 }}", random))},
-        {"a floor of tiles in one plane", "#declare I = 0;\n#while (I < 64)\n#declare X = mod(I, 8);\n#declare Z = floor(I / 8);\n"
-         "polygon { 5, <X, 0, Z>, <X + 1, 0, Z>, <X + 1, 0, Z + 1>, <X, 0, Z + 1>, <X, 0, Z> }\n#declare I = I + 1;\n#end\n"},
-        {"boxes face to face", "#declare I = 0;\n#while (I < 64)\n#declare X = mod(I, 8);\n#declare Z = floor(I / 8);\n"
+        {"a floor of tiles in one plane",
+         "#declare I = 0;\n#while (I < 64)\n#declare X = mod(I, 8);\n#declare Z = floor(I / 8);\n"
+         "polygon { 5, <X, 0, Z>, <X + 1, 0, Z>, <X + 1, 0, Z + 1>, <X, 0, Z + 1>, <X, 0, Z> }\n#declare I = I + "
+         "1;\n#end\n"},
+        {"boxes face to face",
+         "#declare I = 0;\n#while (I < 64)\n#declare X = mod(I, 8);\n#declare Z = floor(I / 8);\n"
          "box { <X, 0, Z>, <X + 1, 1, Z + 1> }\n#declare I = I + 1;\n#end\n"},
         {"equal spheres in one place", loop(40, "sphere { <1, 2, 3>, 0.5 }")},
         {"shells within shells", loop(60, "sphere { <0, 1, 0>, 0.2 + I / 10 }")},
-        {"moved and stretched shapes", loop(20, fmt::format("union {{ box {{ 0, 1 }} torus {{ 0.6, 0.2 }} cone {{ -y, 0.5, y, 0 }} rotate 90 * {0} scale 0.5 + {0} translate 8 * {0} }}", random))},
+        {"moved and stretched shapes",
+         loop(20, fmt::format("union {{ box {{ 0, 1 }} torus {{ 0.6, 0.2 }} cone {{ -y, 0.5, y, 0 }} rotate 90 * {0} "
+                              "scale 0.5 + {0} translate 8 * {0} }}",
+                              random))},
         {"far from the origin", loop(80, "sphere { <10000000, -10000000, 10000000> + 10 * " + random + ", 0.4 }")},
         {"one sphere", "sphere { <1, 2, 3>, 0.5 }\n"},
-        {"a few large and many small ones", "box { <-1000, -2, -1000>, <1000, -1, 1000> }\n" + random_spheres(100, seed + 1)},
+        {"a few large and many small ones",
+         "box { <-1000, -2, -1000>, <1000, -1, 1000> }\n" + random_spheres(100, seed + 1)},
     };
 }
 

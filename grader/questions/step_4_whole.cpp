@@ -22,8 +22,10 @@ Lane lane_with(Dice& dice, const std::string& in_the_way, L share) {
     lane.from = V(dice.round_between(-1, 1), dice.round_between(-1, 1), -20);
     lane.to = V(dice.round_between(-1, 1), dice.round_between(-1, 1), 20);
     for (int i = 0; i < 40; ++i)
-        lane.sdl += fmt::format("sphere {{ {}, {} }}\n", vector(V(dice.round_between(4, 12), dice.round_between(-9, 9), dice.round_between(-18, 18))),
-                                number(dice.round_between(0.1, 1)));
+        lane.sdl +=
+            fmt::format("sphere {{ {}, {} }}\n",
+                        vector(V(dice.round_between(4, 12), dice.round_between(-9, 9), dice.round_between(-18, 18))),
+                        number(dice.round_between(0.1, 1)));
     const V middle = construct::rounded(lane.from + share * (lane.to - lane.from));
     if (!in_the_way.empty()) lane.sdl += fmt::format("object {{ {} translate {} }}\n", in_the_way, vector(middle));
     return lane;
@@ -35,7 +37,8 @@ void ask(Notebook& book, const Lane& lane, L t_max, bool truth, const std::strin
         Beam beam = from_to(lane.from, lane.to);
         beam.t_min = 0.001L;
         beam.t_max = t_max;
-        book.ask(fmt::format("occluded_{} {}", structure, beam.text()), fmt::format("{} ({})", about, structure), construct::says(truth));
+        book.ask(fmt::format("occluded_{} {}", structure, beam.text()), fmt::format("{} ({})", about, structure),
+                 construct::says(truth));
     }
 }
 
@@ -48,7 +51,8 @@ void ask_lanes(Notebook& book, Dice& dice) {
     ask(book, lane_with(dice, "sphere { 0, 0.5 no_shadow }", share), 1, false, "a sphere in the way that casts none");
     ask(book, lane_with(dice, "plane { z, 0 }", share), 1, true, "a plane in the way: it has no bounds");
     ask(book, lane_with(dice, "sphere { 0, 0.5 }", share), 1e30L, true, "a light infinitely far away");
-    ask(book, lane_with(dice, "box { <-30, -30, -0.1>, <30, 30, 0.1> }", share), share + 0.02L, true, "a wall through many cells");
+    ask(book, lane_with(dice, "box { <-30, -30, -0.1>, <30, 30, 0.1> }", share), share + 0.02L, true,
+        "a wall through many cells");
 }
 
 }  // namespace
@@ -58,8 +62,10 @@ std::vector<Question> any_hits(std::uint64_t seed) {
     Notebook book("4.8");
     for (int i = 0; i < 2; ++i) ask_lanes(book, dice);
     for (const char* structure : {"grid", "octree"}) {
-        book.objects(random_spheres(150, dice.whole(1, 1000), "#if (mod(I, 2) = 1) no_shadow #end") + "plane { y, -1 }\n");
-        book.ask(fmt::format("agreement_{} 1500 {} 1", structure, dice.whole(1, 1000000)), "half of the spheres cast no shadow", all_agree());
+        book.objects(random_spheres(150, dice.whole(1, 1000), "#if (mod(I, 2) = 1) no_shadow #end") +
+                     "plane { y, -1 }\n");
+        book.ask(fmt::format("agreement_{} 1500 {} 1", structure, dice.whole(1, 1000000)),
+                 "half of the spheres cast no shadow", all_agree());
     }
     return book.take();
 }
@@ -79,8 +85,11 @@ std::vector<Question> choices(std::uint64_t seed) {
         book.ask("partition", "one primitive needs no structure", is(false));
         const int count = dice.whole(100, 400);
         book.objects(i % 2 ? random_spheres(count, i)
-                           : fmt::format("mesh {{ #declare I = 0; #while (I < {}) triangle {{ I * x, I * x + y, I * x + z }} #declare I = I + 1; #end }}\n", count));
-        book.ask("partition", i % 2 ? "hundreds of spheres need one" : "a mesh is as many primitives as it has faces", is(true));
+                           : fmt::format("mesh {{ #declare I = 0; #while (I < {}) triangle {{ I * x, I * x + y, I * x "
+                                         "+ z }} #declare I = I + 1; #end }}\n",
+                                         count));
+        book.ask("partition", i % 2 ? "hundreds of spheres need one" : "a mesh is as many primitives as it has faces",
+                 is(true));
     }
     return book.take();
 }

@@ -1,8 +1,9 @@
 // What the questions of step 5 share: claims about many points at once.
 //
 // Points are random, so no truth is a list of numbers. What is judged is what every right pattern and every right map
-// has: how many points a cell may hold, moments, areas. Where chance decides, the margin is six standard deviations: once
-// in 500 million. Where the points are the centres of a grid it is what a smooth map errs by, and a few times that.
+// has: how many points a cell may hold, moments, areas. Where chance decides, the margin is six standard deviations:
+// once in 500 million. Where the points are the centres of a grid it is what a smooth map errs by, and a few times
+// that.
 #pragma once
 
 #include <string>
@@ -27,7 +28,9 @@ struct Table {
     std::size_t rows() const { return numbers.size() / width; }
     L at(std::size_t row, std::size_t column) const { return numbers[row * width + column]; }
     V2 pair(std::size_t row, std::size_t column = 0) const { return {at(row, column), at(row, column + 1)}; }
-    V triple(std::size_t row, std::size_t column = 0) const { return {at(row, column), at(row, column + 1), at(row, column + 2)}; }
+    V triple(std::size_t row, std::size_t column = 0) const {
+        return {at(row, column), at(row, column + 1), at(row, column + 2)};
+    }
 };
 
 /// All that has to hold of an answer; the first that does not is what was expected.
@@ -122,7 +125,8 @@ std::vector<Question> blurs(std::uint64_t seed);               // 5.13
 
 // ---- Judges and scenes that sweeps ask with, too -----------------------------------------------------------------------
 
-/// No two points of `samples` share a cell of the documented grid, nor (strips) a column or row of as many as it has cells.
+/// No two points of `samples` share a cell of the documented grid, nor (strips) a column or row of as many as it has
+/// cells.
 Judge stratified(int samples, bool strips);
 
 struct LensCamera {

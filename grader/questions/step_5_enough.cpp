@@ -46,7 +46,8 @@ void ask_closed_errors(Notebook& book) {
     Groups sums{};
     for (std::size_t g = 0; g < 4; ++g) sums[g][0] = 2 * L(g + 1);
     book.ask(error_query(8, sums), "groups whose means are 1, 2, 3, 4", is_number(std::sqrt(5.0L / 12), 1e-4L));
-    book.ask(error_query(8, {{{1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}}}), "groups that agree", is_number(0, 1e-6L));
+    book.ask(error_query(8, {{{1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}}}), "groups that agree",
+             is_number(0, 1e-6L));
     for (const int samples : {0, 1, 2, 3})
         book.ask(error_query(samples, sums), fmt::format("{} samples say nothing", samples), is_number(kInfinite, 0));
 }
@@ -61,7 +62,8 @@ void ask_errors(Notebook& book, Dice& dice) {
         for (Lanes& g : sums)
             for (L& lane : g) lane = construct::rounded(lane);
         const L truth = standard_error(samples, sums);
-        book.ask(error_query(samples, sums), only < 4 ? fmt::format("only lane {} is uncertain", only) : "the lane where it is largest counts",
+        book.ask(error_query(samples, sums),
+                 only < 4 ? fmt::format("only lane {} is uncertain", only) : "the lane where it is largest counts",
                  is_number(truth, 1e-4L * truth + 1e-6L));
     }
 }
@@ -119,10 +121,12 @@ std::vector<Question> dimensions(std::uint64_t seed) {
     book.scene(kScene);
     const auto ask = [&](int lights, int surfaces) {
         const auto count = static_cast<std::size_t>(3 + 2 * lights + surfaces);
-        book.ask(fmt::format("dimensions {} {}", lights, surfaces), fmt::format("{} lights, {} rough surfaces: all of their own", lights, surfaces),
+        book.ask(fmt::format("dimensions {} {}", lights, surfaces),
+                 fmt::format("{} lights, {} rough surfaces: all of their own", lights, surfaces),
                  rows_hold(count, 1, fmt::format("{} different numbers", count), [=](const Table& t, Claims& claims) {
                      const std::set<double> different(t.numbers.begin(), t.numbers.end());
-                     claims.holds(different.size() == count, fmt::format("{} different numbers, not {}", count, different.size()));
+                     claims.holds(different.size() == count,
+                                  fmt::format("{} different numbers, not {}", count, different.size()));
                      claims.holds(*different.begin() >= 0, "no number below zero");
                  }));
     };
@@ -141,13 +145,16 @@ struct View {
     LensCamera camera;
     int width, height;
 
-    /// Where the edges of the lens see a point of this depth in the plane of focus: by similar triangles, in pixels there.
+    /// Where the edges of the lens see a point of this depth in the plane of focus: by similar triangles, in pixels
+    /// there.
     L blur(L depth) const {
         const L film = glm::length(camera.direction), sharp = camera.focus * film, lens = camera.aperture / 2;
         const L pixel = glm::length(camera.right) / width * (camera.orthographic ? 1 : camera.focus);
         return lens * (std::isinf(depth) ? 1 : std::abs(depth - sharp) / depth) / pixel;
     }
-    std::string query(L nearest, L farthest) const { return fmt::format("blur {} {} {} {}", width, height, number(nearest), number(farthest)); }
+    std::string query(L nearest, L farthest) const {
+        return fmt::format("blur {} {} {} {}", width, height, number(nearest), number(farthest));
+    }
 };
 
 View view(Dice& dice, bool turned) {
@@ -168,7 +175,8 @@ void ask_blur(Notebook& book, Dice& dice, bool orthographic) {
         v.camera.orthographic = orthographic;
         book.scene(v.camera.scene());
         const L sharp = v.camera.focus * glm::length(v.camera.direction);
-        const L nearer = construct::rounded(sharp * dice.round_between(0.2, 0.8)), beyond = construct::rounded(sharp * dice.round_between(1.2, 5));
+        const L nearer = construct::rounded(sharp * dice.round_between(0.2, 0.8)),
+                beyond = construct::rounded(sharp * dice.round_between(1.2, 5));
         const auto ask = [&](L nearest, L farthest, const std::string& about) {
             const L truth = std::max(v.blur(nearest), v.blur(farthest));
             book.ask(v.query(nearest, farthest), about, is_number(truth, 1e-6L * (1 + truth)));
@@ -192,16 +200,21 @@ std::vector<Question> blurs(std::uint64_t seed) {
         View v = view(dice, true);
         v.camera.aperture = 0;
         book.scene(v.camera.scene());
-        book.ask(v.query(dice.round_between(0.1, 3), i == 0 ? kInfinite : 100), "a closed aperture blurs nothing", is_number(0, 1e-12L));
+        book.ask(v.query(dice.round_between(0.1, 3), i == 0 ? kInfinite : 100), "a closed aperture blurs nothing",
+                 is_number(0, 1e-12L));
     }
     book.scene(kScene);
     for (int i = 0; i < 6; ++i) {
-        const L diameter = dice.round_between(0.1, 3), to_edge = dice.round_between(1, 10), behind = dice.round_between(0.1, 20);
+        const L diameter = dice.round_between(0.1, 3), to_edge = dice.round_between(1, 10),
+                behind = dice.round_between(0.1, 20);
         const L truth = diameter * behind / to_edge;
-        book.ask(fmt::format("penumbra {} {} {}", number(diameter), number(to_edge), number(behind)), "similar triangles at the edge", is_number(truth, 1e-6L * truth));
+        book.ask(fmt::format("penumbra {} {} {}", number(diameter), number(to_edge), number(behind)),
+                 "similar triangles at the edge", is_number(truth, 1e-6L * truth));
     }
-    book.ask(fmt::format("penumbra {} inf {}", number(dice.round_between(0.1, 3)), number(dice.round_between(1, 10))), "no edge at all", is_number(0, 0));
-    book.ask(fmt::format("penumbra 0 {} {}", number(dice.round_between(0.1, 3)), number(dice.round_between(1, 10))), "a point light", is_number(0, 1e-12L));
+    book.ask(fmt::format("penumbra {} inf {}", number(dice.round_between(0.1, 3)), number(dice.round_between(1, 10))),
+             "no edge at all", is_number(0, 0));
+    book.ask(fmt::format("penumbra 0 {} {}", number(dice.round_between(0.1, 3)), number(dice.round_between(1, 10))),
+             "a point light", is_number(0, 1e-12L));
     return book.take();
 }
 

@@ -12,7 +12,8 @@ using construct::number;
 using construct::numbers;
 
 std::string rough_scene(L glossy) {
-    return construct::scene_of(fmt::format("sphere {{ 0, 1\n#ifdef (Raysteps) finish {{ glossy {} }} #end\n}}\n", number(glossy)));
+    return construct::scene_of(
+        fmt::format("sphere {{ 0, 1\n#ifdef (Raysteps) finish {{ glossy {} }} #end\n}}\n", number(glossy)));
 }
 
 void claim_proper_normals(Claims& claims, const Table& t, const V& geometric, const V& viewer) {
@@ -58,12 +59,16 @@ void claim_slopes(Claims& claims, const std::vector<V>& normals, const V& n, L e
     }
     const auto mean = [&](const std::function<L(std::size_t)>& f) { return mean_of(count, f); };
     claims.within(mean([&](std::size_t i) { return power[i]; }), 0.5L, 0.004L, "mean of cos^(m + 2)");
-    claims.within(mean([&](std::size_t i) { return power[i] * power[i]; }), 1.0L / 3, 0.004L, "mean square of cos^(m + 2)");
+    claims.within(mean([&](std::size_t i) { return power[i] * power[i]; }), 1.0L / 3, 0.004L,
+                  "mean square of cos^(m + 2)");
     for (const int turns : {1, 2}) {
-        claims.within(mean([&](std::size_t i) { return std::cos(turns * side[i]); }), 0, 0.02L, "mean cosine of the side that it tilts to");
-        claims.within(mean([&](std::size_t i) { return std::sin(turns * side[i]); }), 0, 0.02L, "mean sine of the side that it tilts to");
+        claims.within(mean([&](std::size_t i) { return std::cos(turns * side[i]); }), 0, 0.02L,
+                      "mean cosine of the side that it tilts to");
+        claims.within(mean([&](std::size_t i) { return std::sin(turns * side[i]); }), 0, 0.02L,
+                      "mean sine of the side that it tilts to");
     }
-    claims.within(mean([&](std::size_t i) { return (power[i] - 0.5L) * std::cos(side[i]); }), 0, 0.02L, "covariance of angle and side");
+    claims.within(mean([&](std::size_t i) { return (power[i] - 0.5L) * std::cos(side[i]); }), 0, 0.02L,
+                  "covariance of angle and side");
 }
 
 std::vector<V> normals_in(const Table& t) {
@@ -72,10 +77,12 @@ std::vector<V> normals_in(const Table& t) {
     return all;
 }
 
-void ask(Notebook& book, Dice& dice, L glossy, const Place& place, const std::string& about, std::function<void(const Table&, Claims&)> more) {
+void ask(Notebook& book, Dice& dice, L glossy, const Place& place, const std::string& about,
+         std::function<void(const Table&, Claims&)> more) {
     const Centers centers = random_centers(dice);
     book.scene(rough_scene(glossy));
-    book.ask("tilt 0 " + place.text() + " " + centers.text(), about, rows_hold(centers.count(), 3, "normals tilted by chance", [=](const Table& t, Claims& claims) {
+    book.ask("tilt 0 " + place.text() + " " + centers.text(), about,
+             rows_hold(centers.count(), 3, "normals tilted by chance", [=](const Table& t, Claims& claims) {
                  claim_proper_normals(claims, t, place.geometric, place.viewer);
                  more(t, claims);
              }));
@@ -89,18 +96,21 @@ void ask_law(Notebook& book, Dice& dice, L glossy, L view_angle) {
         [=](const Table& t, Claims& claims) { claim_slopes(claims, normals_in(t), n, 1 / glossy + 2); });
 }
 
-/// Seen straight on: tilts of more than 45 degrees mirror below the surface, and mirrored there become 90 degrees less that.
+/// Seen straight on: tilts of more than 45 degrees mirror below the surface, and mirrored there become 90 degrees less
+/// that.
 void ask_horizon(Notebook& book, Dice& dice, L glossy) {
     const V n = construct::rounded(dice.unit());
     const L exponent = 1 / glossy + 2;
-    ask(book, dice, glossy, {n, n, n}, fmt::format("seen straight on, glossy {}: what mirrors below the surface is mirrored there", number(glossy)),
+    ask(book, dice, glossy, {n, n, n},
+        fmt::format("seen straight on, glossy {}: what mirrors below the surface is mirrored there", number(glossy)),
         [=](const Table& t, Claims& claims) {
             const auto normals = normals_in(t);
             for (const L degrees : {10.0L, 20.0L, 30.0L, 40.0L}) {
                 const L cosine = std::cos(degrees * construct::kPi / 180), sine = std::sqrt(1 - cosine * cosine);
                 const L truth = 1 - std::pow(cosine, exponent) + std::pow(sine, exponent);
-                claims.within(mean_of(normals.size(), [&](std::size_t i) { return glm::dot(normals[i], n) > cosine ? 1 : 0; }), truth, 0.03L,
-                              fmt::format("share of tilts below {} degrees", double(degrees)));
+                claims.within(
+                    mean_of(normals.size(), [&](std::size_t i) { return glm::dot(normals[i], n) > cosine ? 1 : 0; }),
+                    truth, 0.03L, fmt::format("share of tilts below {} degrees", double(degrees)));
             }
         });
 }
@@ -120,24 +130,35 @@ void claim_means(Claims& claims, const std::vector<V>& normals, const Place& pla
     V mean(0);
     L towards = 0, out = 0;
     for (int i = 0; i < kSteps * kSteps; ++i) {
-        const V n = tilted(place, exponent, (i % kSteps + 0.5L) / kSteps, (i / kSteps + 0.5L) / kSteps) / L(kSteps * kSteps);
+        const V n =
+            tilted(place, exponent, (i % kSteps + 0.5L) / kSteps, (i / kSteps + 0.5L) / kSteps) / L(kSteps * kSteps);
         mean += n;
         towards += glm::dot(n, place.viewer) * glm::dot(n, place.viewer) * L(kSteps * kSteps);
         out += glm::dot(n, place.geometric) * glm::dot(n, place.geometric) * L(kSteps * kSteps);
     }
-    const auto found = [&](const std::function<L(const V&)>& f) { return mean_of(normals.size(), [&](std::size_t i) { return f(normals[i]); }); };
-    for (int a = 0; a < 3; ++a) claims.within(found([&](const V& n) { return n[a]; }), mean[a], 0.03L, fmt::format("mean of the normals' {}", "xyz"[a]));
-    claims.within(found([&](const V& n) { return glm::dot(n, place.viewer) * glm::dot(n, place.viewer); }), towards, 0.03L, "mean square of the cosine to the viewer");
-    claims.within(found([&](const V& n) { return glm::dot(n, place.geometric) * glm::dot(n, place.geometric); }), out, 0.03L, "mean square of the cosine to the true normal");
+    const auto found = [&](const std::function<L(const V&)>& f) {
+        return mean_of(normals.size(), [&](std::size_t i) { return f(normals[i]); });
+    };
+    for (int a = 0; a < 3; ++a)
+        claims.within(found([&](const V& n) { return n[a]; }), mean[a], 0.03L,
+                      fmt::format("mean of the normals' {}", "xyz"[a]));
+    claims.within(found([&](const V& n) { return glm::dot(n, place.viewer) * glm::dot(n, place.viewer); }), towards,
+                  0.03L, "mean square of the cosine to the viewer");
+    claims.within(found([&](const V& n) { return glm::dot(n, place.geometric) * glm::dot(n, place.geometric); }), out,
+                  0.03L, "mean square of the cosine to the true normal");
 }
 
 /// From the side, where many a tilt turns away: it is taken to the other side, and all others are as they were.
 void ask_side(Notebook& book, Dice& dice, L glossy, L view_angle) {
-    const V n = construct::rounded(dice.unit()), geometric = construct::rounded(at_angle(n, dice.between(0, 0.2), dice.between(0, 6.28)));
+    const V n = construct::rounded(dice.unit()),
+            geometric = construct::rounded(at_angle(n, dice.between(0, 0.2), dice.between(0, 6.28)));
     const V viewer = construct::rounded(at_angle(geometric, view_angle, dice.between(0, 6.28)));
     if (!(glm::dot(n, viewer) > 0)) return ask_side(book, dice, glossy, view_angle);
-    ask(book, dice, glossy, {n, geometric, viewer}, fmt::format("glossy {}, seen from {:.0f} degrees", number(glossy), double(view_angle * 180 / construct::kPi)),
-        [=](const Table& t, Claims& claims) { claim_means(claims, normals_in(t), {n, geometric, viewer}, 1 / glossy + 2); });
+    ask(book, dice, glossy, {n, geometric, viewer},
+        fmt::format("glossy {}, seen from {:.0f} degrees", number(glossy), double(view_angle * 180 / construct::kPi)),
+        [=](const Table& t, Claims& claims) {
+            claim_means(claims, normals_in(t), {n, geometric, viewer}, 1 / glossy + 2);
+        });
 }
 
 }  // namespace

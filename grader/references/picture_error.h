@@ -11,8 +11,8 @@ namespace rays {
 /// no number. Throws std::invalid_argument when the sizes differ.
 double picture_error(const RgbImage& picture, const RgbImage& reference);
 
-/// The same of a picture that is a mean, as it stands; what the reference itself may be off by is taken away (at least a
-/// quarter of it is left).
+/// The same of a picture that is a mean, as it stands; what the reference itself may be off by is taken away (at least
+/// a quarter of it is left).
 double picture_error(const RgbImage& picture, const AveragedReference& reference);
 
 }  // namespace rays

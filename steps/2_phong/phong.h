@@ -104,9 +104,9 @@ private:
     const Intersector& intersector_;
 };
 
-/// Ambient light and the light of `lights` together: the scene's, or what stands for them (step 5). Asks for visibility only where a light could show: at most once a
-/// light, never for shadowless ones, for lights behind the surface, or for a finish without diffuse and highlights.
-/// POV-Ray's shadowless lights make no highlights.
+/// Ambient light and the light of `lights` together: the scene's, or what stands for them (step 5). Asks for visibility
+/// only where a light could show: at most once a light, never for shadowless ones, for lights behind the surface, or
+/// for a finish without diffuse and highlights. POV-Ray's shadowless lights make no highlights.
 Radiance direct_light(const Scene& scene, std::span<const Light> lights, const Visibility& visibility,
                       const Surface& surface);
 

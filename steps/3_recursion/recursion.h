@@ -21,8 +21,8 @@ inline constexpr Real kNearest = Real(1e-4);
 /// Nor what is farther than this (POV-Ray's MAX_DISTANCE). A plane's horizon depends on it.
 inline constexpr Real kFarthest = 1e7;
 
-/// Nothing is traced below so many branches. max_trace_level ends trees long before, but branches that go straight on are
-/// no levels: ten thousand clear sheets in a row would fill the stack.
+/// Nothing is traced below so many branches. max_trace_level ends trees long before, but branches that go straight on
+/// are no levels: ten thousand clear sheets in a row would fill the stack.
 inline constexpr int kMostAbove = 1000;
 
 /// What fills an object: its interior's number in Scene::interiors. An object without an interior has a medium of its
@@ -95,11 +95,11 @@ struct World {
     const Intersector& intersector;
     std::span<const Light> lights;   ///< the scene's, or the points of them that this ray tree sees (step 5)
     Roughness* roughness = nullptr;  ///< null: all surfaces are smooth
-    bool sees_through = false;      ///< something lets light through: it matters which media rays are in
-    bool filtered_shadows = false;  ///< and casts shadows: they are tinted
-    int above = 0;                  ///< branches above the one in hand, straight ones too
-    double pruned = 0;              ///< sum of the weights of all branches that were not traced: what the pixel may
-                                    ///< lack is at most this, times the brightest radiance of the scene
+    bool sees_through = false;       ///< something lets light through: it matters which media rays are in
+    bool filtered_shadows = false;   ///< and casts shadows: they are tinted
+    int above = 0;                   ///< branches above the one in hand, straight ones too
+    double pruned = 0;               ///< sum of the weights of all branches that were not traced: what the pixel may
+                                     ///< lack is at most this, times the brightest radiance of the scene
 };
 
 /// A world for this scene, with what it needs found out once.
@@ -168,10 +168,10 @@ bool is_pruned(const GlobalSettings& settings, const Branch& branch);
 
 /// A hit, on the way to becoming radiance.
 struct Interaction {
-    const Branch& from;   ///< the ray that hit
-    Real distance;        ///< its length
+    const Branch& from;  ///< the ray that hit
+    Real distance;       ///< its length
     Surface surface;
-    Medium medium;        ///< of the object that was hit
+    Medium medium;  ///< of the object that was hit
 };
 
 /// What the mirror direction brings, times the reflectivity (of which `exponent` is applied to what it brings).

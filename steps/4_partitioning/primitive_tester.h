@@ -1,5 +1,5 @@
-// The one test of a primitive that all structures share: they differ only in which primitives they ask. Here in a header,
-// since it is the innermost call of every ray.
+// The one test of a primitive that all structures share: they differ only in which primitives they ask. Here in a
+// header, since it is the innermost call of every ray.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +34,8 @@ public:
     /// The hit that a candidate is, if there is one.
     std::optional<Hit> complete(const Ray& ray, const Candidate& best) const;
 
-    // Most primitives of large scenes are plain spheres, faces, triangles and cones, and most scenes have a floor: these
-    // are asked without detours.
+    // Most primitives of large scenes are plain spheres, faces, triangles and cones, and most scenes have a floor:
+    // these are asked without detours.
     enum class Way : std::uint8_t { sphere, face, triangle, cone, plane, other };
 
     /// What the test of a primitive needs to know, side by side: among millions, each place in memory is waited for.

@@ -36,8 +36,8 @@ struct Contents {
     std::vector<std::uint32_t> inside;   ///< these go into the structure, in ascending order
     std::vector<std::uint32_t> outside;  ///< these are asked by every ray: unbounded ones, and a few that are huge
     Bounds box;                          ///< around all that are inside, a little larger; empty when there are none
-    /// The bounds of what is inside have been widened by this much, and the box by twice as much: roots are rounded, and
-    /// rays are.
+    /// The bounds of what is inside have been widened by this much, and the box by twice as much: roots are rounded,
+    /// and rays are.
     Real slack = 0;
 };
 
@@ -72,7 +72,8 @@ struct GridSpace {
     Vec3 cell_size() const { return (box.max - box.min) / Vec3(cells[0], cells[1], cells[2]); }
     std::size_t count() const { return std::size_t(cells[0]) * std::size_t(cells[1]) * std::size_t(cells[2]); }
     std::size_t index(const Cell& c) const {
-        return (std::size_t(c[2]) * std::size_t(cells[1]) + std::size_t(c[1])) * std::size_t(cells[0]) + std::size_t(c[0]);
+        return (std::size_t(c[2]) * std::size_t(cells[1]) + std::size_t(c[1])) * std::size_t(cells[0]) +
+               std::size_t(c[0]);
     }
 };
 
@@ -99,10 +100,10 @@ CellRange cells_overlapping(const GridSpace& space, const Bounds& bounds);
 struct GridWalk {
     bool alive = false;  ///< false: the ray is not, or no longer, in the grid within its range
     Cell cell{0, 0, 0};
-    Real enter = 0;      ///< the t at which the ray comes into the cell
-    Real exit = 0;       ///< and leaves it
+    Real enter = 0;  ///< the t at which the ray comes into the cell
+    Real exit = 0;   ///< and leaves it
     // How it goes on:
-    Real end = 0;        ///< the t at which range or grid ends
+    Real end = 0;  ///< the t at which range or grid ends
     Cell cells{1, 1, 1};
     Cell step{1, 1, 1};  ///< +1 or -1 along each axis
     Vec3 next{0};        ///< for each axis the t at which the ray meets the next plane between cells

@@ -40,43 +40,46 @@ struct Draw {
 /// One number for everything but the sample: the key of a pattern. Given.
 constexpr std::uint64_t key_of(const Draw& d) {
     // Odd factors without pattern: no two small pixels and dimensions meet.
-    return mixed(d.seed * 0x9e3779b97f4a7c15ull + d.pixel * 0xd1342543de82ef95ull + d.dimension * 0xaf251af3b0f025b5ull + 1);
+    return mixed(d.seed * 0x9e3779b97f4a7c15ull + d.pixel * 0xd1342543de82ef95ull +
+                 d.dimension * 0xaf251af3b0f025b5ull + 1);
 }
 
 // All points lie in [0, 1)^2.
 
-/// The centres of equal cells, columns x rows = samples, as square as that goes. The sample decides which, by a permutation
-/// with the key of the pattern: else the n-th point of the lens would always meet the n-th of the pixel.
+/// The centres of equal cells, columns x rows = samples, as square as that goes. The sample decides which, by a
+/// permutation with the key of the pattern: else the n-th point of the lens would always meet the n-th of the pixel.
 Vec2 regular_point(const Draw& draw);
 /// Any point, whatever the others are.
 Vec2 random_point(const Draw& draw);
 /// One random point in each of about `samples` equal cells (Cook, 1986). With a number of samples that does not fill
 /// a grid some cells stay empty, which ones is chance: the mean over many pixels is right.
 Vec2 jittered_point(const Draw& draw);
-/// One in each cell, and in projection one in each of `samples` columns and rows (Chiu, Shirley, Wang, 1994; Kensler, 2013).
+/// One in each cell, and in projection one in each of `samples` columns and rows (Chiu, Shirley, Wang, 1994; Kensler,
+/// 2013).
 Vec2 multi_jittered_point(const Draw& draw);
 /// Sobol's sequence, scrambled after Owen (1995), in an order shuffled the same way (Burley, "Practical Hash-based Owen
-/// Scrambling", JCGT 9(4), 2020). Dimensions 2k and 2k + 1 are the four dimensions of one sequence: what is blurred by two
-/// things at once converges faster. Progressive: it does not know `samples`, and every power of two of first points is
-/// stratified: in an even dimension in every way, in an odd one along each axis.
+/// Scrambling", JCGT 9(4), 2020). Dimensions 2k and 2k + 1 are the four dimensions of one sequence: what is blurred by
+/// two things at once converges faster. Progressive: it does not know `samples`, and every power of two of first points
+/// is stratified: in an even dimension in every way, in an odd one along each axis.
 Vec2 sobol_point(const Draw& draw);
 
 /// The pattern's point.
 Vec2 point_of(Pattern pattern, const Draw& draw);
 
-/// For what takes one number, as time does: one in each of `samples` equal strips, in their centres or anywhere. Where a
-/// pattern's points have such an x it is that; of regular and jittered points only the root of `samples` have different
-/// columns: as times these would be as good as N^(-3/4), not 1/N. Given.
+/// For what takes one number, as time does: one in each of `samples` equal strips, in their centres or anywhere. Where
+/// a pattern's points have such an x it is that; of regular and jittered points only the root of `samples` have
+/// different columns: as times these would be as good as N^(-3/4), not 1/N. Given.
 Real number_of(Pattern pattern, const Draw& draw);
 
 // ---- Task 5.5: what points mean --------------------------------------------------------------------------------------
 
 /// From the unit square to the unit disc, equal areas to equal areas (Shirley and Chiu, 1997).
 Vec2 disc_point(Vec2 u);
-/// To the regular polygon with this many corners on the unit circle, the first one at (0, 1); equal areas to equal areas.
+/// To the regular polygon with this many corners on the unit circle, the first one at (0, 1); equal areas to equal
+/// areas.
 Vec2 polygon_point(Vec2 u, int corners);
-/// To a ball of radius 1 with a density like 1 / sqrt(1 - r^2): from afar, from all sides, a uniform disc. Such are x, y,
-/// z of a uniform unit quaternion (Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992).
+/// To a ball of radius 1 with a density like 1 / sqrt(1 - r^2): from afar, from all sides, a uniform disc. Such are x,
+/// y, z of a uniform unit quaternion (Shoemake, "Uniform Random Rotations", Graphics Gems III, 1992).
 Vec3 ball_point(Vec2 u, Real u3);
 
 // ---- Task 5.6: the pixel's filter ------------------------------------------------------------------------------------
@@ -98,15 +101,16 @@ FilterPoint filter_point(Filter filter, Vec2 u);
 // ---- Task 5.7: the lens ----------------------------------------------------------------------------------------------
 
 /// The ray through the same point of the film from a point of the lens. The lens is a disc (or polygon) of radius
-/// aperture / 4 around where the pinhole's ray starts, spanned by the directions of `right` and `up`. All rays of one film
-/// point meet in the plane through focal_point that is parallel to the film.
+/// aperture / 4 around where the pinhole's ray starts, spanned by the directions of `right` and `up`. All rays of one
+/// film point meet in the plane through focal_point that is parallel to the film.
 Ray lens_ray(const Camera& camera, const Raster& raster, int column, int row, Vec2 offset, Vec2 u);
 
 // ---- Task 5.8: lights with an area -----------------------------------------------------------------------------------
 
 /// The point light that stands for an area light: all of it moved (point_at, too) to a point of location + a axis_u +
-/// b axis_v with a, b in [-1/2, 1/2]; circular: of the ellipse in it; orient: of the ball of that width around location.
-/// Its colour is the whole light's: the mean over many points is what arrives. Other lights are returned as they are.
+/// b axis_v with a, b in [-1/2, 1/2]; circular: of the ellipse in it; orient: of the ball of that width around
+/// location. Its colour is the whole light's: the mean over many points is what arrives. Other lights are returned as
+/// they are.
 Light light_at(const Light& light, Vec2 u, Real u3);
 
 // ---- Task 5.9: time --------------------------------------------------------------------------------------------------
@@ -118,9 +122,9 @@ Real value_at(const Varying& varying, Real at);
 
 // ---- Task 5.10: rough surfaces ---------------------------------------------------------------------------------------
 
-/// A normal tilted by chance: by an angle a with cos a = (1 - u.x)^(1 / (m + 2)), m = 1 / glossy, to any side: the slopes
-/// whose mirror makes Blinn's highlight of exponent m. It still faces the viewer (else it tilts to the other side), and a
-/// mirror ray that would go below the true surface is mirrored up at it.
+/// A normal tilted by chance: by an angle a with cos a = (1 - u.x)^(1 / (m + 2)), m = 1 / glossy, to any side: the
+/// slopes whose mirror makes Blinn's highlight of exponent m. It still faces the viewer (else it tilts to the other
+/// side), and a mirror ray that would go below the true surface is mirrored up at it.
 Vec3 tilted_normal(const Surface& surface, Vec2 u);
 
 // ---- Task 5.11: enough? ----------------------------------------------------------------------------------------------
@@ -160,8 +164,8 @@ std::uint32_t dimension_of(Purpose purpose, std::uint32_t number, const Purposes
 
 // ---- Task 5.13: no more than a scene needs ---------------------------------------------------------------------------
 
-/// The diameter, in pixels, of the largest circle of confusion of anything whose depth (distance along the camera's axis)
-/// lies between these two. 0 with a closed aperture; `farthest` may be infinite.
+/// The diameter, in pixels, of the largest circle of confusion of anything whose depth (distance along the camera's
+/// axis) lies between these two. 0 with a closed aperture; `farthest` may be infinite.
 Real largest_blur_px(const Camera& camera, const Raster& raster, Real nearest, Real farthest);
 /// The width of the widest penumbra that a light of this diameter throws past an edge at least `light_to_edge` away
 /// onto something at most `edge_to_receiver` behind it. No edge at all (infinite light_to_edge): 0.

@@ -19,7 +19,7 @@ struct Camera {
     Real aperture = 0;
     Vec3 focal_point{0, 0, 1};
     int blur_samples = 0;
-    int aperture_blades = 0;  ///< corners of a polygonal aperture; 0: a disc
+    int aperture_blades = 0;                   ///< corners of a polygonal aperture; 0: a disc
     Real shutter_open = 0, shutter_close = 1;  ///< Time while the film is exposed
 };
 

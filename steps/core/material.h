@@ -26,8 +26,8 @@ inline bool lets_light_through(const Color& c) { return c.filter != 0 || c.trans
 /// One colour, or a 3D checkerboard of unit cubes of two colours. `transform` takes pattern space to world space.
 struct Pigment {
     Color color{Radiance(0.0f)};
-    std::optional<Color> checker_other;      ///< present: a checker; cubes with even floor(x)+floor(y)+floor(z) get `color`
-    std::uint32_t transform = kNone;         ///< into Scene::transforms
+    std::optional<Color> checker_other;  ///< present: a checker; cubes with even floor(x)+floor(y)+floor(z) get `color`
+    std::uint32_t transform = kNone;     ///< into Scene::transforms
 };
 
 inline bool lets_light_through(const Pigment& p) {

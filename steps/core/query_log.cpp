@@ -15,8 +15,8 @@ std::string outcome(const QueryLog::Query& q) {
     if (q.kind == "shadow" && !q.hit) return q.blocked ? "blocked" : "free";
     if (!q.hit) return "miss";
     return fmt::format("object {} at t={:.9g}, point ({:.6g}, {:.6g}, {:.6g}), normal ({:.6g}, {:.6g}, {:.6g})",
-                       q.hit->object, q.hit->t, q.hit->point.x, q.hit->point.y, q.hit->point.z,
-                       q.hit->shading_normal.x, q.hit->shading_normal.y, q.hit->shading_normal.z);
+                       q.hit->object, q.hit->t, q.hit->point.x, q.hit->point.y, q.hit->point.z, q.hit->shading_normal.x,
+                       q.hit->shading_normal.y, q.hit->shading_normal.z);
 }
 
 std::string hit_json(const std::optional<Hit>& hit) {
@@ -65,9 +65,10 @@ std::string QueryLog::to_text() const {
         text += '\n';
     }
     if (const double missing = residual(); missing > 0)
-        text += fmt::format("residual: rays that were not traced weigh {:.4g}; the pixel lacks at most that, times the "
-                            "brightest radiance of the scene\n",
-                            missing);
+        text += fmt::format(
+            "residual: rays that were not traced weigh {:.4g}; the pixel lacks at most that, times the "
+            "brightest radiance of the scene\n",
+            missing);
     return text;
 }
 

@@ -13,8 +13,8 @@ namespace rays {
 
 struct QueryLog {
     struct Query {
-        std::string kind;   ///< "camera", "reflected", "refracted", "transmitted", "shadow"
-        int parent = -1;    ///< the query whose hit this ray starts from; -1 for the root
+        std::string kind;  ///< "camera", "reflected", "refracted", "transmitted", "shadow"
+        int parent = -1;   ///< the query whose hit this ray starts from; -1 for the root
         int depth = 0;
         Ray ray;
         Interval range;

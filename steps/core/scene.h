@@ -16,7 +16,18 @@
 namespace rays {
 
 enum class ShapeKind : std::uint8_t {
-    sphere, plane, triangle, smooth_triangle, polygon, mesh, box, disc, cone, quadric, torus, bicubic_patch
+    sphere,
+    plane,
+    triangle,
+    smooth_triangle,
+    polygon,
+    mesh,
+    box,
+    disc,
+    cone,
+    quadric,
+    torus,
+    bicubic_patch
 };
 
 /// What an object's `photons { }` says; step 6 shoots photons at targets.

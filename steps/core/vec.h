@@ -27,8 +27,6 @@ using Mat4 = glm::mat<4, 4, Real>;
 inline constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 inline constexpr Real kPi = std::numbers::pi_v<Real>;
 
-inline bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace rays

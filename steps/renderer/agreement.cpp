@@ -53,7 +53,8 @@ Vec3 HardRays::on_lattice() {
     const int cells = below(2) ? 1 << below(5) : 1 + below(12);
     Vec3 p;
     for (int a = 0; a < 3; ++a)
-        p[a] = box_.min[a] + (box_.max[a] - box_.min[a]) * static_cast<Real>(below(cells + 1)) / static_cast<Real>(cells);
+        p[a] =
+            box_.min[a] + (box_.max[a] - box_.min[a]) * static_cast<Real>(below(cells + 1)) / static_cast<Real>(cells);
     return p;
 }
 
@@ -78,17 +79,50 @@ Vec3 HardRays::along_axes() {
 Ray HardRays::ray() {
     const Real size = glm::length(box_.max - box_.min);
     switch (below(12)) {
-        case 0: { const Vec3 o = in_box(); return {o, direction()}; }
-        case 1: { const Vec3 d = direction(); return {in_box() - size * (unit() + Real(0.5)) * d, d}; }
-        case 2: { const Vec3 d = along_axes(); return {in_box() - size * d, d}; }
-        case 3: { const Vec3 d = along_axes(); return {on_lattice() - size * d, d}; }
-        case 4: { const Vec3 o = on_lattice(); return {o, below(2) ? along_axes() : direction()}; }
-        case 5: { const Vec3 d = direction(); return {at_primitive() - (below(2) ? Real(1e7) : Real(1e10)) * d, d}; }
-        case 6: { const Vec3 d = below(2) ? along_axes() : direction(); return {at_primitive() - size * unit() * d, d}; }
-        case 7: { const Vec3 o = at_primitive(); return {o, in_box() - o}; }
-        case 8: { const Vec3 d = direction(); return {on_lattice() - size * d, d * std::pow(Real(10), 12 * unit() - 6)}; }
-        case 9: { const Vec3 o = on_lattice(); return {o, on_lattice() - o}; }
-        case 10: { const Vec3 o = in_box() + Real(3) * size * direction(); return {o, at_primitive() - o}; }
+        case 0: {
+            const Vec3 o = in_box();
+            return {o, direction()};
+        }
+        case 1: {
+            const Vec3 d = direction();
+            return {in_box() - size * (unit() + Real(0.5)) * d, d};
+        }
+        case 2: {
+            const Vec3 d = along_axes();
+            return {in_box() - size * d, d};
+        }
+        case 3: {
+            const Vec3 d = along_axes();
+            return {on_lattice() - size * d, d};
+        }
+        case 4: {
+            const Vec3 o = on_lattice();
+            return {o, below(2) ? along_axes() : direction()};
+        }
+        case 5: {
+            const Vec3 d = direction();
+            return {at_primitive() - (below(2) ? Real(1e7) : Real(1e10)) * d, d};
+        }
+        case 6: {
+            const Vec3 d = below(2) ? along_axes() : direction();
+            return {at_primitive() - size * unit() * d, d};
+        }
+        case 7: {
+            const Vec3 o = at_primitive();
+            return {o, in_box() - o};
+        }
+        case 8: {
+            const Vec3 d = direction();
+            return {on_lattice() - size * d, d * std::pow(Real(10), 12 * unit() - 6)};
+        }
+        case 9: {
+            const Vec3 o = on_lattice();
+            return {o, on_lattice() - o};
+        }
+        case 10: {
+            const Vec3 o = in_box() + Real(3) * size * direction();
+            return {o, at_primitive() - o};
+        }
         default: break;
     }
     // Almost along an axis, or almost along two.
@@ -118,13 +152,14 @@ HardRays::Query HardRays::next() {
     return query;
 }
 
-Agreement compare(const Scene& scene, const Intersector& one, const Intersector& other, std::size_t count, std::uint64_t seed) {
+Agreement compare(const Scene& scene, const Intersector& one, const Intersector& other, std::size_t count,
+                  std::uint64_t seed) {
     HardRays rays(scene, seed);
     Agreement result;
     const auto differ = [&](const HardRays::Query& q, const std::string& how) {
         if (result.differences++ > 0) return;
-        result.first = fmt::format("origin {} direction {} range {:.17g} {:.17g}: {}", text(q.ray.origin), text(q.ray.direction),
-                                   q.range.min, q.range.max, how);
+        result.first = fmt::format("origin {} direction {} range {:.17g} {:.17g}: {}", text(q.ray.origin),
+                                   text(q.ray.direction), q.range.min, q.range.max, how);
     };
     for (; result.rays < count; ++result.rays) {
         const HardRays::Query q = rays.next();

@@ -49,6 +49,7 @@ struct Agreement {
 };
 
 /// Asks both `count` times for the nearest hit and for an occluder. Two hits agree when all their bits do.
-Agreement compare(const Scene& scene, const Intersector& one, const Intersector& other, std::size_t count, std::uint64_t seed);
+Agreement compare(const Scene& scene, const Intersector& one, const Intersector& other, std::size_t count,
+                  std::uint64_t seed);
 
 }  // namespace rays

@@ -69,41 +69,70 @@ const Answerers& answerers() {
             {"camera", camera},
             {"nearest", nearest},
             {"root", root},
-            {"inside", [](const Stage& s, Words& w) { const Object& o = s.object(w); return text(inside(s.scene, o, w.vector())); }},
+            {"inside",
+             [](const Stage& s, Words& w) {
+                 const Object& o = s.object(w);
+                 return text(inside(s.scene, o, w.vector()));
+             }},
             {"misses",
-         [](const Stage&, Words& w) {
-             const Vec3 center = w.vector();
-             const BoundingSphere bound{center, w.number()};
-             const Ray ray = w.ray();
-             return text(misses(bound, ray, w.interval()));
-         }},
-            {"back_facing", [](const Stage&, Words& w) { const Vec3 n = w.vector(); return text(back_facing(n, w.vector())); }},
-            {"pigment", [](const Stage& s, Words& w) { const Material& m = s.material(w); return text(pigment_at(s.scene, m.pigment, w.vector()).rgb); }},
-            {"facing", [](const Stage&, Words& w) { const Vec3 n = w.vector(); return text(facing(n, w.vector())); }},
+             [](const Stage&, Words& w) {
+                 const Vec3 center = w.vector();
+                 const BoundingSphere bound{center, w.number()};
+                 const Ray ray = w.ray();
+                 return text(misses(bound, ray, w.interval()));
+             }},
+            {"back_facing",
+             [](const Stage&, Words& w) {
+                 const Vec3 n = w.vector();
+                 return text(back_facing(n, w.vector()));
+             }},
+            {"pigment",
+             [](const Stage& s, Words& w) {
+                 const Material& m = s.material(w);
+                 return text(pigment_at(s.scene, m.pigment, w.vector()).rgb);
+             }},
+            {"facing",
+             [](const Stage&, Words& w) {
+                 const Vec3 n = w.vector();
+                 return text(facing(n, w.vector()));
+             }},
             {"illuminate",
-         [](const Stage& s, Words& w) {
-             const Light& light = s.light(w);
-             const Illumination i = illuminate(light, w.vector());
-             return fmt::format("{} {} {}", text(i.to_light), text(i.distance), text(i.radiance));
-         }},
-            {"fading", [](const Stage& s, Words& w) { const Light& l = s.light(w); return text(fading(l, w.number())); }},
-            {"cone_of_light", [](const Stage& s, Words& w) { const Light& l = s.light(w); return text(cone_of_light(l, w.vector())); }},
+             [](const Stage& s, Words& w) {
+                 const Light& light = s.light(w);
+                 const Illumination i = illuminate(light, w.vector());
+                 return fmt::format("{} {} {}", text(i.to_light), text(i.distance), text(i.radiance));
+             }},
+            {"fading",
+             [](const Stage& s, Words& w) {
+                 const Light& l = s.light(w);
+                 return text(fading(l, w.number()));
+             }},
+            {"cone_of_light",
+             [](const Stage& s, Words& w) {
+                 const Light& l = s.light(w);
+                 return text(cone_of_light(l, w.vector()));
+             }},
             {"ambient",
-         [](const Stage& s, Words& w) {
-             return text(ambient(lit_surface(s, s.material(w), {0, 0, -1}, {0, 0, -1}), s.scene.settings.ambient_light));
-         }},
+             [](const Stage& s, Words& w) {
+                 return text(
+                     ambient(lit_surface(s, s.material(w), {0, 0, -1}, {0, 0, -1}), s.scene.settings.ambient_light));
+             }},
             {"diffuse", [](const Stage& s, Words& w) { return shade(s, w, diffuse); }},
             {"phong", [](const Stage& s, Words& w) { return shade(s, w, phong); }},
             {"blinn", [](const Stage& s, Words& w) { return shade(s, w, blinn); }},
             {"highlight_color", [](const Stage& s, Words& w) { return shade(s, w, highlight_color); }},
             {"in_shadow",
-         [](const Stage& s, Words& w) {
-             Surface surface;
-             surface.point = w.vector();
-             surface.normal = surface.geometric_normal = surface.to_viewer = w.vector();
-             return text(in_shadow(s.intersector, surface, illuminate(s.light(w), surface.point)));
-         }},
-            {"occluded", [](const Stage& s, Words& w) { const Ray ray = w.ray(); return text(s.intersector.occluded(ray, w.interval())); }},
+             [](const Stage& s, Words& w) {
+                 Surface surface;
+                 surface.point = w.vector();
+                 surface.normal = surface.geometric_normal = surface.to_viewer = w.vector();
+                 return text(in_shadow(s.intersector, surface, illuminate(s.light(w), surface.point)));
+             }},
+            {"occluded",
+             [](const Stage& s, Words& w) {
+                 const Ray ray = w.ray();
+                 return text(s.intersector.occluded(ray, w.interval()));
+             }},
             {"radiance", [](const Stage& s, Words& w) { return whole_ray(s, w); }},
         };
         questions::add_recursion(all);
@@ -150,8 +179,10 @@ void answer_questions(std::istream& in, std::ostream& out) {
             // Each answer leaves at once: a crash costs only those that come after.
             out << (problem.empty() ? answer(stage.get(), line) : "error " + problem) << '\n' << std::flush;
         } catch (const std::exception& e) {
-            if (line.starts_with("scene ")) problem = one_line(e.what());
-            else out << "error " << one_line(e.what()) << '\n' << std::flush;
+            if (line.starts_with("scene "))
+                problem = one_line(e.what());
+            else
+                out << "error " << one_line(e.what()) << '\n' << std::flush;
         }
     }
 }

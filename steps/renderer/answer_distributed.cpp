@@ -33,12 +33,18 @@ private:
 
 /// What the points of an answer differ by.
 void go_on(Draw& draw, const std::string& along, std::uint32_t by) {
-    if (along == "seed") draw.seed += by;
-    else if (along == "pixel") draw.pixel += by;
-    else if (along == "dimension") draw.dimension += by;
-    else if (along == "sample") draw.sample += by;
-    else if (along == "samples") draw.samples += by;
-    else if (along != "nothing") throw InputError("nothing goes along " + along);
+    if (along == "seed")
+        draw.seed += by;
+    else if (along == "pixel")
+        draw.pixel += by;
+    else if (along == "dimension")
+        draw.dimension += by;
+    else if (along == "sample")
+        draw.sample += by;
+    else if (along == "samples")
+        draw.samples += by;
+    else if (along != "nothing")
+        throw InputError("nothing goes along " + along);
 }
 
 std::string points(const Stage&, Words& words) {
@@ -61,7 +67,8 @@ std::string points(const Stage&, Words& words) {
             Draw draw = first;
             go_on(draw, along, static_cast<std::uint32_t>(i));
             go_on(draw, then_along, static_cast<std::uint32_t>(j));
-            if (draw.sample >= draw.samples) throw InputError(fmt::format("no sample {} of {}", draw.sample, draw.samples));
+            if (draw.sample >= draw.samples)
+                throw InputError(fmt::format("no sample {} of {}", draw.sample, draw.samples));
             line.add(text(point_of(*pattern, draw)));
         }
     return line.take();
@@ -75,8 +82,8 @@ struct Chance {
     Real u3;
 };
 
-/// `U V W`, or `grid COLUMNS ROWS W`: the centres of that many cells, row by row; the third number goes on from W by the
-/// golden section, modulo 1, so that it is as even whatever the grid.
+/// `U V W`, or `grid COLUMNS ROWS W`: the centres of that many cells, row by row; the third number goes on from W by
+/// the golden section, modulo 1, so that it is as even whatever the grid.
 std::vector<Chance> chances(Words& words) {
     const std::string word = words.word();
     if (word != "grid") {
@@ -144,7 +151,8 @@ std::string part_of_light(const Stage& stage, Words& words) {
     const Light& light = stage.light(words);
     return for_each(chances(words), [&](const Chance& c) {
         const Light point = light_at(light, c.u, c.u3);
-        return fmt::format("{} {} {} {}", text(point.location), text(point.point_at), text(point.color), text(point.area));
+        return fmt::format("{} {} {} {}", text(point.location), text(point.point_at), text(point.color),
+                           text(point.area));
     });
 }
 
@@ -194,7 +202,9 @@ std::string enough(const Stage&, Words& words) {
 std::string dimensions(const Stage&, Words& words) {
     const auto lights = words.whole<std::uint32_t>(0, 1024), surfaces = words.whole<std::uint32_t>(0, 1024);
     Line line;
-    const auto add = [&](Purpose purpose, std::uint32_t number) { line.add(fmt::format("{}", dimension_of(purpose, number, {.lens = true, .lights = lights}))); };
+    const auto add = [&](Purpose purpose, std::uint32_t number) {
+        line.add(fmt::format("{}", dimension_of(purpose, number, {.lens = true, .lights = lights})));
+    };
     for (const Purpose p : {Purpose::pixel, Purpose::lens, Purpose::time}) add(p, 0);
     for (std::uint32_t i = 0; i < lights; ++i) add(Purpose::light, i), add(Purpose::ball_light, i);
     for (std::uint32_t i = 0; i < surfaces; ++i) add(Purpose::rough_surface, i);

@@ -64,7 +64,8 @@ std::string walked_cells(const Stage&, Words& words) {
     const Ray ray = words.ray();
     std::string line;
     for (const VisitedCell& v : cells_along(grid, ray, words.interval(), kMostNumbers / 2))
-        line += fmt::format("{}{} {}", line.empty() ? "" : " ", v.cell[0] + grid.cells[0] * (v.cell[1] + grid.cells[1] * v.cell[2]),
+        line += fmt::format("{}{} {}", line.empty() ? "" : " ",
+                            v.cell[0] + grid.cells[0] * (v.cell[1] + grid.cells[1] * v.cell[2]),
                             questions::text(v.span.exit));
     return line.empty() ? "miss" : line;
 }
@@ -73,7 +74,8 @@ std::string mailbox(const Stage&, Words& words) {
     Mailbox box_of_a_ray;
     std::string line;
     for (int n = std::min(words.integer(), static_cast<int>(kMostNumbers)); n-- > 0;)
-        line += std::string(line.empty() ? "" : " ") + questions::text(box_of_a_ray.was_asked(static_cast<std::uint32_t>(words.integer())));
+        line += std::string(line.empty() ? "" : " ") +
+                questions::text(box_of_a_ray.was_asked(static_cast<std::uint32_t>(words.integer())));
     return line;
 }
 
@@ -98,7 +100,8 @@ std::string walked_octants(const Stage&, Words& words) {
     std::string line;
     for (int i = 0; i < std::clamp(count, 0, 4); ++i) {
         const Octant& o = octants[static_cast<std::size_t>(i)];
-        line += fmt::format("{}{} {} {}", i ? " " : "", o.octant, questions::text(o.slabs.enter()), questions::text(o.slabs.exit()));
+        line += fmt::format("{}{} {} {}", i ? " " : "", o.octant, questions::text(o.slabs.enter()),
+                            questions::text(o.slabs.exit()));
     }
     return line.empty() ? "miss" : line;
 }
@@ -141,7 +144,8 @@ std::string agreement(const Stage& stage, Words& words) {
         for (std::size_t i = 0; i < results.size(); ++i)
             threads.emplace_back([&, i] {
                 together.arrive_and_wait();
-                results[i] = compare(stage.scene, *structure, *truth, static_cast<std::size_t>(count), static_cast<std::uint64_t>(seed) + i);
+                results[i] = compare(stage.scene, *structure, *truth, static_cast<std::size_t>(count),
+                                     static_cast<std::uint64_t>(seed) + i);
             });
     }
     Agreement sum;
@@ -184,7 +188,9 @@ void add_partitioning(Answerers& answerers) {
                       {"effort_none", effort_of<Partition::none>},
                       {"effort_grid", effort_of<Partition::grid>},
                       {"effort_octree", effort_of<Partition::octree>},
-                      {"partition", [](const Stage& s, Words&) { return fmt::format("{}", static_cast<int>(choose_partition(s.scene))); }}});
+                      {"partition", [](const Stage& s, Words&) {
+                           return fmt::format("{}", static_cast<int>(choose_partition(s.scene)));
+                       }}});
 }
 
 }  // namespace rays::questions

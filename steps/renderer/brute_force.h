@@ -10,8 +10,9 @@ namespace rays {
 
 class BruteForce final : public Intersector {
 public:
-    /// The scene must outlive the intersector. `waits_for` is the unfinished task of the structure that it stands in for:
-    /// every pixel that asks then waits for that task, and where there are many objects it does not wait for hits as well.
+    /// The scene must outlive the intersector. `waits_for` is the unfinished task of the structure that it stands in
+    /// for: every pixel that asks then waits for that task, and where there are many objects it does not wait for hits
+    /// as well.
     explicit BruteForce(const Scene& scene, const char* waits_for = nullptr)
         : scene_(scene), waits_for_(waits_for), stands_still_(waits_for && scene.objects.size() > kMostWhileWaiting) {}
 

@@ -66,8 +66,8 @@ Visit visit_of(const Scene& scene, const RenderOptions& options, int column, int
 std::string visit_to_json(const Visit& visit) {
     std::string boxes;
     for (const Bounds& b : visit.boxes)
-        boxes += fmt::format("{}[{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}]", boxes.empty() ? "" : ",", b.min.x, b.min.y, b.min.z,
-                             b.max.x, b.max.y, b.max.z);
+        boxes += fmt::format("{}[{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}]", boxes.empty() ? "" : ",", b.min.x,
+                             b.min.y, b.min.z, b.max.x, b.max.y, b.max.z);
     return fmt::format(R"({{"tests":{},"nodes":{},"visited":[{}]}})", visit.effort.tests, visit.effort.nodes, boxes);
 }
 

@@ -23,20 +23,23 @@ bool has_area_lights(const Scene& scene) {
     return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.area; });
 }
 bool is_rough(const Scene& scene) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.finish.glossy > 0; });
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const Material& m) { return m.finish.glossy > 0; });
 }
 
 bool has_smooth_faces(const Mesh& mesh) {
     return std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const Mesh::Face& face) { return face.smooth; });
 }
 
-/// Not where things move, where something else than a point stands for an area light, nor where interpolated normals tilt.
+/// Not where things move, where something else than a point stands for an area light, nor where interpolated normals
+/// tilt.
 bool fits_packets(const Scene& scene, const RenderOptions& options) {
     if (!options.packets || options.partition != Partition::automatic || varies_with_time(scene)) return false;
     const bool only_points = std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
         return !light.area || (light.kind == Light::Kind::point && !light.parallel);
     });
-    const bool smoothed = !scene.smooth_triangles.empty() || std::any_of(scene.meshes.begin(), scene.meshes.end(), has_smooth_faces);
+    const bool smoothed =
+        !scene.smooth_triangles.empty() || std::any_of(scene.meshes.begin(), scene.meshes.end(), has_smooth_faces);
     return only_points && !(smoothed && is_rough(scene));
 }
 
@@ -47,13 +50,17 @@ bool needs_distribution(const Scene& scene) {
 }
 
 Distribution::Distribution(const Scene& scene, const RenderOptions& options)
-    : scene_(scene), options_(options), pattern_(options.pattern.value_or(Pattern::sobol)), moves_(varies_with_time(scene)) {
+    : scene_(scene),
+      options_(options),
+      pattern_(options.pattern.value_or(Pattern::sobol)),
+      moves_(varies_with_time(scene)) {
     if (fits_packets(scene, options)) packets_ = make_packets(scene);
     if (!moves_ && !packets_) still_ = make_intersector(scene, options.partition);
 }
 
 Draw Distribution::draw(int x, int y, std::uint32_t sample, std::uint32_t samples) const {
-    const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(options_.raster.width) + static_cast<std::uint32_t>(x);
+    const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(options_.raster.width) +
+                       static_cast<std::uint32_t>(x);
     return {options_.seed, pixel, 0, sample, samples};
 }
 
@@ -78,7 +85,8 @@ SampleTracer::SampleTracer(const Distribution& distribution) : distribution_(dis
     } else {
         media_ = std::make_unique<CameraMedia>(*world_);
     }
-    purposes_ = {scene->camera.aperture > 0, has_area_lights(*scene) ? static_cast<std::uint32_t>(scene->lights.size()) : 0};
+    purposes_ = {scene->camera.aperture > 0,
+                 has_area_lights(*scene) ? static_cast<std::uint32_t>(scene->lights.size()) : 0};
     if (is_rough(*scene)) world_->roughness = this;
     has_area_lights_ = has_area_lights(*scene);
     lights_ = scene->lights;
@@ -113,7 +121,8 @@ Real SampleTracer::one_number(const Draw& sample, Purpose purpose, std::uint32_t
 // which no mean notices, and no order of tracing them matters.
 void SampleTracer::tilt(Surface& surface, int above) {
     if (surface.finish->glossy > 0)
-        surface.normal = tilted_normal(surface, point(draw_, Purpose::rough_surface, static_cast<std::uint32_t>(above)));
+        surface.normal =
+            tilted_normal(surface, point(draw_, Purpose::rough_surface, static_cast<std::uint32_t>(above)));
 }
 
 void SampleTracer::tilt(int ray, Surface& surface, int above) {
@@ -140,7 +149,7 @@ Radiance SampleTracer::sample(int x, int y, const Draw& draw) {
     draw_ = draw;
     const Chosen chosen = choose(x, y, draw);
     if (has_area_lights_) world_->lights = lights_;
-    const Inside inside = media_ ? media_->at(chosen.ray.origin)
+    const Inside inside = media_                 ? media_->at(chosen.ray.origin)
                           : world_->sees_through ? media_around(world_->scene, chosen.ray.origin)
                                                  : Inside();
     return chosen.weight * radiance(*world_, chosen.ray, inside);
@@ -184,9 +193,13 @@ std::uint32_t group_of(std::uint32_t sample, std::uint32_t before, std::uint32_t
 class AdaptivePicture {
 public:
     AdaptivePicture(const Distribution& distribution, Residuals& residuals)
-        : distribution_(distribution), raster_(distribution.options().raster), residuals_(residuals),
-          pixels_(std::size_t(raster_.width) * std::size_t(raster_.height)), active_(pixels_.size(), 1),
-          unfinished_(pixels_.size(), 0), pruned_(pixels_.size(), 0) {}
+        : distribution_(distribution),
+          raster_(distribution.options().raster),
+          residuals_(residuals),
+          pixels_(std::size_t(raster_.width) * std::size_t(raster_.height)),
+          active_(pixels_.size(), 1),
+          unfinished_(pixels_.size(), 0),
+          pruned_(pixels_.size(), 0) {}
 
     /// One more round for row y: active pixels get samples up to `after` in all.
     void sample_row(SampleTracer& tracer, int y, std::uint32_t before, std::uint32_t after) {
@@ -255,7 +268,8 @@ class Crew {
 public:
     explicit Crew(const Distribution& distribution) : distribution_(distribution) {
         const RenderOptions& options = distribution.options();
-        const int wanted = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+        const int wanted =
+            options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
         tracers_.resize(static_cast<std::size_t>(std::clamp(wanted, 1, options.raster.height)));
     }
 

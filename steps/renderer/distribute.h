@@ -1,5 +1,5 @@
-// Pictures that are estimates: every pixel is a mean over samples, each with its own point of the pixel, the lens and the
-// lights, its own time and its own slopes of rough surfaces. Step 5 says which; here it is put together.
+// Pictures that are estimates: every pixel is a mean over samples, each with its own point of the pixel, the lens and
+// the lights, its own time and its own slopes of rough surfaces. Step 5 says which; here it is put together.
 #pragma once
 
 #include <algorithm>
@@ -58,8 +58,8 @@ public:
     Radiance sample(int x, int y, const Draw& draw);
 
     /// The same for samples `first.sample` to `end` - 1, many of which may be traced together, with others of the row:
-    /// what(number(sample), radiance, pruned) is called for each one that was added, in this order, some time before flush()
-    /// returns.
+    /// what(number(sample), radiance, pruned) is called for each one that was added, in this order, some time before
+    /// flush() returns.
     template <class Number, class What>
     void add(int x, int y, Draw first, std::uint32_t end, Number number, What what) {
         while (first.sample < end) {
@@ -95,7 +95,8 @@ private:
         if (rays_.count + static_cast<int>(count) > SampleRays::kMost) flush(what);
         const int at = rays_.count;
         put(x, y, first, count);
-        for (std::uint32_t i = 0; i < count; ++i) numbers_[static_cast<std::uint32_t>(at) + i] = number(first.sample + i);
+        for (std::uint32_t i = 0; i < count; ++i)
+            numbers_[static_cast<std::uint32_t>(at) + i] = number(first.sample + i);
     }
 
     Chosen choose(int x, int y, const Draw& draw);

@@ -1,8 +1,9 @@
-// rays-formats PATH WIDTH HEIGHT: writes a picture in any format of OpenImageIO. The pixels come from standard input: linear,
-// four floats each, of which the fourth is ignored. What went wrong goes to standard output; nothing when all is well.
+// rays-formats PATH WIDTH HEIGHT: writes a picture in any format of OpenImageIO. The pixels come from standard input:
+// linear, four floats each, of which the fourth is ignored. What went wrong goes to standard output; nothing when all
+// is well.
 //
-// A program of its own, since OpenImageIO takes 0.2 s to load, and since a render program that loads nothing starts in a
-// third of the time.
+// A program of its own, since OpenImageIO takes 0.2 s to load, and since a render program that loads nothing starts in
+// a third of the time.
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
@@ -18,7 +19,8 @@ namespace {
 std::string problem_of(const std::filesystem::path& written) {
     if (!std::filesystem::is_regular_file(written)) return "there is something else at " + written.string();
     OIIO::ImageBuf picture(written.string());
-    return picture.read(0, 0, true) ? std::string() : "what was written cannot be read: is the disk full? " + picture.geterror();
+    return picture.read(0, 0, true) ? std::string()
+                                    : "what was written cannot be read: is the disk full? " + picture.geterror();
 }
 
 std::string write_picture(const std::filesystem::path& target, int width, int height, std::vector<float>& rgba) {
@@ -48,7 +50,8 @@ std::string write_picture(const std::filesystem::path& target, int width, int he
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) return std::fputs("rays-formats is for render programs: rays-formats PATH WIDTH HEIGHT < PIXELS\n", stderr), 2;
+    if (argc != 4)
+        return std::fputs("rays-formats is for render programs: rays-formats PATH WIDTH HEIGHT < PIXELS\n", stderr), 2;
     const int width = std::atoi(argv[2]), height = std::atoi(argv[3]);
     if (width < 1 || height < 1) return std::fputs("rays-formats: no such size\n", stderr), 2;
     std::vector<float> rgba(4 * std::size_t(width) * std::size_t(height));

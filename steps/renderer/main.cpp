@@ -50,13 +50,15 @@ private:
 void check(Arguments& a) {
     const auto [width, height] = a.options.raster;
     if (width < 1 || height < 1 || width > 32768 || height > 32768 || std::int64_t{width} * height > (1 << 28))
-        throw InputError(fmt::format("a picture of {} x {} pixels: need 1 to 32768 each way and at most 2^28 in all", width, height));
+        throw InputError(fmt::format("a picture of {} x {} pixels: need 1 to 32768 each way and at most 2^28 in all",
+                                     width, height));
     if (a.options.samples < 1 || a.options.samples > 1 << 20)
         throw InputError(fmt::format("--samples {}: need 1 to 2^20", a.options.samples));
     if (a.pattern != "auto") {
         a.options.pattern = pattern_named(a.pattern);
         if (!a.options.pattern)
-            throw InputError(fmt::format("--pattern {}: need auto, regular, random, jittered, multi_jittered or sobol", a.pattern));
+            throw InputError(
+                fmt::format("--pattern {}: need auto, regular, random, jittered, multi_jittered or sobol", a.pattern));
     }
     const auto filter = filter_named(a.filter);
     if (!filter) throw InputError(fmt::format("--filter {}: need box, tent or mitchell", a.filter));
@@ -64,12 +66,14 @@ void check(Arguments& a) {
     if (!(a.options.error >= 0)) throw InputError(fmt::format("--error {}: need 0 (off) or more", a.options.error));
     const Pattern pattern = a.options.pattern.value_or(Pattern::sobol);
     if (a.options.error > 0 && pattern != Pattern::sobol && pattern != Pattern::random)
-        throw InputError(fmt::format("--error needs a pattern that goes on when it is done: sobol or random, not {}", a.pattern));
+        throw InputError(
+            fmt::format("--error needs a pattern that goes on when it is done: sobol or random, not {}", a.pattern));
     const auto partition = partition_named(a.partition);
     if (!partition) throw InputError(fmt::format("--partition {}: need auto, none, grid, octree or bvh", a.partition));
     a.options.partition = *partition;
     if (a.max_trace_level < 0 || a.max_trace_level > 256)
-        throw InputError(fmt::format("--max-trace-level {}: need 1 to 256, or 0 for the scene's own", a.max_trace_level));
+        throw InputError(
+            fmt::format("--max-trace-level {}: need 1 to 256, or 0 for the scene's own", a.max_trace_level));
     if (a.options.threads < 0 || a.options.threads > 1024)
         throw InputError(fmt::format("--threads {}: need 0 (one a core) to 1024", a.options.threads));
 }
@@ -79,7 +83,8 @@ Scene read(const Arguments& a) {
     options.raster = a.options.raster;
     Scene scene = read_scene(a.scene, options);
     for (const std::string& effect : a.without) remove_effect(scene, effect);
-    if (a.max_trace_level > 0) scene.settings.max_trace_level = std::min(scene.settings.max_trace_level, a.max_trace_level);
+    if (a.max_trace_level > 0)
+        scene.settings.max_trace_level = std::min(scene.settings.max_trace_level, a.max_trace_level);
     return scene;
 }
 
@@ -97,7 +102,8 @@ Scene stage(const Arguments& a) {
 void list_unfinished() {
     const auto tasks = unfinished_tasks();
     for (const auto& t : tasks) fmt::print(stderr, "unfinished {} {}:{}\n", t.task, t.file, t.line);
-    if (!tasks.empty()) fmt::print(stderr, "striped pixels wait for these tasks; the handout of the step tells what to write\n");
+    if (!tasks.empty())
+        fmt::print(stderr, "striped pixels wait for these tasks; the handout of the step tells what to write\n");
 }
 
 // JSON text of a path: control characters and quotes never leave the string.
@@ -113,14 +119,16 @@ std::string quoted(const std::string& text) {
 void write_stats(const std::string& path, const Seconds& seconds, const Residual& residual) {
     std::string unfinished;
     for (const auto& t : unfinished_tasks())
-        unfinished += fmt::format("{}{{\"task\":{},\"file\":{},\"line\":{}}}", unfinished.empty() ? "" : ",", quoted(t.task), quoted(t.file), t.line);
+        unfinished += fmt::format("{}{{\"task\":{},\"file\":{},\"line\":{}}}", unfinished.empty() ? "" : ",",
+                                  quoted(t.task), quoted(t.file), t.line);
     std::ofstream file(path);
-    file << fmt::format(R"({{"unfinished":[{}],"seconds":{{"read":{:.6f},"render":{:.6f},"write":{:.6f}}},)", unfinished,
-                        seconds.read, seconds.render, seconds.write)
-         << fmt::format(R"("residual":{{"mean":{:.9g},"max":{:.9g},"x":{},"y":{}}},"samples":{:.9g}}})", residual.mean, residual.max,
-                        residual.x, residual.y, residual.samples)
+    file << fmt::format(R"({{"unfinished":[{}],"seconds":{{"read":{:.6f},"render":{:.6f},"write":{:.6f}}},)",
+                        unfinished, seconds.read, seconds.render, seconds.write)
+         << fmt::format(R"("residual":{{"mean":{:.9g},"max":{:.9g},"x":{},"y":{}}},"samples":{:.9g}}})", residual.mean,
+                        residual.max, residual.x, residual.y, residual.samples)
          << '\n';
-    if (!file.flush()) throw InputError(path + ": cannot write the statistics; check that the folder exists and has room");
+    if (!file.flush())
+        throw InputError(path + ": cannot write the statistics; check that the folder exists and has room");
 }
 
 void show_progress(double done) {
@@ -168,12 +176,16 @@ int map_costs(const Arguments& a) {
 int explain_pixel(const Arguments& a) {
     int x = 0, y = 0;
     char rest = 0;
-    if (std::sscanf(a.pixel.c_str(), "%d,%d%c", &x, &y, &rest) != 2 || x < 0 || y < 0 || x >= a.options.raster.width || y >= a.options.raster.height)
-        throw InputError(fmt::format("--explain {}: need X,Y within {} x {}", a.pixel, a.options.raster.width, a.options.raster.height));
+    if (std::sscanf(a.pixel.c_str(), "%d,%d%c", &x, &y, &rest) != 2 || x < 0 || y < 0 || x >= a.options.raster.width ||
+        y >= a.options.raster.height)
+        throw InputError(fmt::format("--explain {}: need X,Y within {} x {}", a.pixel, a.options.raster.width,
+                                     a.options.raster.height));
     PrivateOutput out;
     const Scene scene = stage(a);
     const QueryLog log = explain(scene, a.options, x, y);
-    out << (a.visited ? visit_to_json(visit_of(scene, a.options, x, y)) + '\n' : a.json ? log.to_json() : log.to_text());
+    out << (a.visited ? visit_to_json(visit_of(scene, a.options, x, y)) + '\n'
+            : a.json  ? log.to_json()
+                      : log.to_text());
     list_unfinished();
     return kSuccess;
 }
@@ -200,22 +212,30 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("--width", a.options.raster.width, "pixels")->capture_default_str();
     app.add_option("--height", a.options.raster.height, "pixels")->capture_default_str();
     app.add_option("--samples", a.options.samples, "a pixel; with --error: at most")->capture_default_str();
-    app.add_option("--pattern", a.pattern, "of samples: auto, regular, random, jittered, multi_jittered or sobol")->capture_default_str();
+    app.add_option("--pattern", a.pattern, "of samples: auto, regular, random, jittered, multi_jittered or sobol")
+        ->capture_default_str();
     app.add_option("--filter", a.filter, "of pixels: box, tent or mitchell")->capture_default_str();
-    app.add_option("--error", a.options.error, "go on until the standard error of a pixel is at most this; 0: all get --samples")->capture_default_str();
+    app.add_option("--error", a.options.error,
+                   "go on until the standard error of a pixel is at most this; 0: all get --samples")
+        ->capture_default_str();
     app.add_option("--seed", a.options.seed, "of everything random")->capture_default_str();
     app.add_option("--threads", a.options.threads, "0: one a core")->capture_default_str();
-    app.add_option("--partition", a.partition, "auto, none, grid, octree or bvh; the picture is the same")->capture_default_str();
+    app.add_option("--partition", a.partition, "auto, none, grid, octree or bvh; the picture is the same")
+        ->capture_default_str();
     app.add_flag("!--no-packets", a.options.packets, "trace ray by ray; the picture is the same");
-    app.add_option("--without", a.without, "leave an effect out (see --needs); may be repeated")->allow_extra_args(false);
-    app.add_option("--max-trace-level", a.max_trace_level, "at most so many levels of rays, the camera's included; 0: as the scene says");
+    app.add_option("--without", a.without, "leave an effect out (see --needs); may be repeated")
+        ->allow_extra_args(false);
+    app.add_option("--max-trace-level", a.max_trace_level,
+                   "at most so many levels of rays, the camera's included; 0: as the scene says");
     app.add_option("--stats", a.stats, "write times and unfinished tasks to this file, as JSON");
     app.add_flag("--everything", a.everything, "compose also what the scene does not need; the picture stays the same");
     app.add_flag("--needs", a.needs, "say what the scene needs and what is left out");
     app.add_flag("--seen", a.seen, "count for each kind of shape the pixels whose centre sees it first, as JSON");
     app.add_option("--explain", a.pixel, "X,Y: the rays of a pixel");
-    app.add_flag("--visited", a.visited, "with --explain: the cells or leaves that the pixel's camera ray visits, as JSON");
-    app.add_option("--cost-map", a.cost_map, "an .exr with the channels tests and nodes: what every pixel costs with this --partition");
+    app.add_flag("--visited", a.visited,
+                 "with --explain: the cells or leaves that the pixel's camera ray visits, as JSON");
+    app.add_option("--cost-map", a.cost_map,
+                   "an .exr with the channels tests and nodes: what every pixel costs with this --partition");
     app.add_flag("--json", a.json, "--needs and --explain in JSON");
     app.add_flag("--answer", a.answer, "answer the grader's questions on standard input");
 }

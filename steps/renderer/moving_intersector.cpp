@@ -16,7 +16,8 @@ namespace {
 /// something cuts it, every face is asked.
 class MovingMesh {
 public:
-    MovingMesh(const Scene& scene, std::uint32_t object, bool is_rigid, Partition partition) : scene_(scene), object_(object) {
+    MovingMesh(const Scene& scene, std::uint32_t object, bool is_rigid, Partition partition)
+        : scene_(scene), object_(object) {
         const Object& whole = scene.objects[object];
         if (!is_rigid || whole.clip != kNone) return;
         own_.meshes.push_back(scene.meshes[whole.shape]);
@@ -83,8 +84,8 @@ private:
     }
     bool find_occluder(const Ray& ray, Interval range) const override {
         return range.min < range.max && std::any_of(others_.begin(), others_.end(), [&](std::uint32_t i) {
-            return !scene_.objects[i].no_shadow && intersect(scene_, scene_.objects[i], ray, range);
-        });
+                   return !scene_.objects[i].no_shadow && intersect(scene_, scene_.objects[i], ray, range);
+               });
     }
 
     const Scene& scene_;
@@ -109,15 +110,18 @@ private:
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
         auto best = ask_quietly([&] { return structure->nearest(ray, range); });
         for (const auto& mesh : meshes) {
-            const auto hit = ask_quietly([&] { return mesh->nearest(ray, Interval{range.min, best ? best->t : range.max}); });
+            const auto hit = ask_quietly([&] {
+                return mesh->nearest(ray, Interval{range.min, best ? best->t : range.max});
+            });
             if (hit) best = hit;
         }
         return best;
     }
     bool find_occluder(const Ray& ray, Interval range) const override {
         return ask_quietly([&] {
-            return structure->occluded(ray, range) ||
-                   std::any_of(meshes.begin(), meshes.end(), [&](const auto& mesh) { return mesh->occluded(ray, range); });
+            return structure->occluded(ray, range) || std::any_of(meshes.begin(), meshes.end(), [&](const auto& mesh) {
+                       return mesh->occluded(ray, range);
+                   });
         });
     }
 };
@@ -129,15 +133,16 @@ std::vector<Real> times_to_look_at(const Motion& motion, Real open, Real close) 
     const std::size_t parts = (kFewest + knots.size() - 2) / (knots.size() - 1);
     std::vector<Real> times;
     for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-        for (std::size_t part = 0; part < parts; ++part) times.push_back(glm::mix(knots[i], knots[i + 1], Real(part) / Real(parts)));
+        for (std::size_t part = 0; part < parts; ++part)
+            times.push_back(glm::mix(knots[i], knots[i + 1], Real(part) / Real(parts)));
     times.push_back(knots.back());
     return times;
 }
 
-/// Around all places of these objects: at those times, and as much further as a quarter of the largest step between two of
-/// them, for what is not linear there (an axis that is normalised, the product of a shape's and a transform's number). Of a
-/// product p of two linear functions that is enough: over a time h it bends away from its chord by |p''| h^2 / 8, and of two
-/// neighbouring steps, which differ by |p''| h^2, one is at least half of that.
+/// Around all places of these objects: at those times, and as much further as a quarter of the largest step between two
+/// of them, for what is not linear there (an axis that is normalised, the product of a shape's and a transform's
+/// number). Of a product p of two linear functions that is enough: over a time h it bends away from its chord by |p''|
+/// h^2 / 8, and of two neighbouring steps, which differ by |p''| h^2, one is at least half of that.
 std::vector<Bounds> swept_bounds(const Scene& scene, Motion& motion) {
     const std::size_t count = motion.moving().size();
     std::vector<Bounds> swept(count), before(count);
@@ -169,8 +174,8 @@ std::unique_ptr<Intersector> make_moving_intersector(Scene& scene, Motion& motio
     auto intersector = std::make_unique<MovingIntersector>();
     const std::vector<Bounds> swept = swept_bounds(scene, motion);
     // While the structure is built, boxes stand for what moves: it asks whom they hit by way of the object, which
-    // afterwards is again what it was. A triangle without area, which stays, stands for a mesh. What has no bounds is asked
-    // by every ray anyway.
+    // afterwards is again what it was. A triangle without area, which stays, stands for a mesh. What has no bounds is
+    // asked by every ray anyway.
     const std::vector<std::uint32_t>& moving = motion.moving();
     std::vector<Object> originals;
     const std::size_t boxes = scene.boxes.size();

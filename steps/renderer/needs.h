@@ -12,10 +12,10 @@ namespace rays {
 /// One effect of the course. Its name is what --without takes.
 struct Effect {
     std::string_view name;
-    int step;                              ///< the step that provides it
-    std::string_view meaning;              ///< one line for people
+    int step;                  ///< the step that provides it
+    std::string_view meaning;  ///< one line for people
     bool (*needed)(const Scene& scene);
-    void (*remove)(Scene& scene);          ///< makes a scene that does not need it; else unchanged
+    void (*remove)(Scene& scene);  ///< makes a scene that does not need it; else unchanged
 };
 
 /// The last step that is built. A scene that needs a later one is refused, not rendered wrongly.
@@ -33,8 +33,8 @@ void require_built(const Scene& scene);
 /// Drops what cannot change a pixel: black lights, highlights of strength 0 and the like. Never changes the picture.
 void drop_what_is_not_needed(Scene& scene);
 
-/// A lens that blurs nothing by half a pixel becomes a pinhole; an area light without a penumbra of half a pixel, a point.
-/// The picture changes by less than that. Scenes that move keep both.
+/// A lens that blurs nothing by half a pixel becomes a pinhole; an area light without a penumbra of half a pixel, a
+/// point. The picture changes by less than that. Scenes that move keep both.
 void drop_small_blur(Scene& scene, Raster raster);
 
 std::string needs_to_text(const Scene& scene);

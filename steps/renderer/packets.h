@@ -10,7 +10,8 @@
 
 namespace rays {
 
-/// A square of neighbouring pixels, given by its upper left corner. Eight that follow each other lie in two rows of four.
+/// A square of neighbouring pixels, given by its upper left corner. Eight that follow each other lie in two rows of
+/// four.
 struct Block {
     static constexpr int kSide = 8, kSize = kSide * kSide;
 
@@ -41,8 +42,8 @@ struct SampleRays {
 class SampleChooser {
 public:
     virtual ~SampleChooser() = default;
-    /// Puts `count` samples of a pixel, at most kTogether, behind the rays that are there; `first` is the draw of the first one,
-    /// whose number is a multiple of kTogether.
+    /// Puts `count` samples of a pixel, at most kTogether, behind the rays that are there; `first` is the draw of the
+    /// first one, whose number is a multiple of kTogether.
     virtual void add(int x, int y, const Draw& first, int count, SampleRays& rays) const = 0;
 };
 

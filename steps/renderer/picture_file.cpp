@@ -22,7 +22,8 @@ public:
         // Beside the program itself, wherever it was started from.
         const std::string program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "rays-formats";
         int ends[2];
-        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw InputError(std::string("no socket: ") + std::strerror(errno));
+        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+            throw InputError(std::string("no socket: ") + std::strerror(errno));
         socket_ = ends[0];
         posix_spawn_file_actions_t actions;
         ::posix_spawn_file_actions_init(&actions);
@@ -73,7 +74,8 @@ void write_picture(const Film& film, const std::string& path) {
     if (std::filesystem::path(path).extension() == ".exr") return write_exr(film, path);
     const Raster raster = film.raster();
     const auto* pixels = reinterpret_cast<const char*>(film.at(0, 0).lane);
-    const std::size_t size = sizeof(Radiance) * static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+    const std::size_t size =
+        sizeof(Radiance) * static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
     const std::string problem = Formats(path, raster).write(pixels, size);
     if (!problem.empty()) throw InputError(path + ": cannot write the picture (" + problem + ")");
 }

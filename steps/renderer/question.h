@@ -38,7 +38,8 @@ public:
     template <class T>
     T whole(T least, T most) {
         const Real value = number();
-        if (!(value >= Real(least) && value <= Real(most))) throw InputError(fmt::format("{}: {} is not from {} to {}", verb_, value, least, most));
+        if (!(value >= Real(least) && value <= Real(most)))
+            throw InputError(fmt::format("{}: {} is not from {} to {}", verb_, value, least, most));
         return static_cast<T>(value);
     }
     Vec3 vector() {

@@ -9,8 +9,8 @@
 #include "core/unfinished.h"
 #include "renderer/brute_force.h"
 #include "renderer/camera_media.h"
-#include "renderer/packets.h"
 #include "renderer/distribute.h"
+#include "renderer/packets.h"
 #include "renderer/radiance.h"
 #include "renderer/rows.h"
 

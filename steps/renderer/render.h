@@ -19,11 +19,12 @@ namespace rays {
 struct RenderOptions {
     Raster raster;
     int samples = 1;  ///< a pixel
-    /// Nothing: a regular grid in the pixel (1: its centre) where that shows the scene and the number is a square; else Sobol
-    /// points.
+    /// Nothing: a regular grid in the pixel (1: its centre) where that shows the scene and the number is a square; else
+    /// Sobol points.
     std::optional<Pattern> pattern;
     Filter filter = Filter::box;
-    float error = 0;  ///< > 0: pixels stop when their standard error is no larger; `samples` is the most, needs sobol or random
+    float error =
+        0;  ///< > 0: pixels stop when their standard error is no larger; `samples` is the most, needs sobol or random
     std::uint64_t seed = 0;
     int threads = 0;  ///< 0: one a core
     Partition partition = Partition::automatic;
@@ -40,7 +41,7 @@ std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition part
 /// What pruning leaves open: a pixel may lack at most its residual times the brightest radiance of the scene.
 struct Residual {
     double mean = 0, max = 0;
-    int x = 0, y = 0;  ///< the pixel of the largest
+    int x = 0, y = 0;    ///< the pixel of the largest
     double samples = 1;  ///< a pixel, in the mean
 };
 
@@ -50,7 +51,8 @@ bool is_distributed(const Scene& scene, const RenderOptions& options);
 /// The same bytes for any number of threads. Pixels that needed an unfinished task are striped.
 Film render(const Scene& scene, const RenderOptions& options, Residual* residual = nullptr);
 
-/// Every ray asked for one pixel: of one sample at its centre, or of the first sample where the scene is distributed over.
+/// Every ray asked for one pixel: of one sample at its centre, or of the first sample where the scene is distributed
+/// over.
 QueryLog explain(const Scene& scene, const RenderOptions& options, int column, int row);
 
 }  // namespace rays

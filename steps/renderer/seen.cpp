@@ -8,9 +8,9 @@ namespace rays {
 namespace {
 
 // In the order of ShapeKind.
-constexpr std::array<const char*, kShapeKinds> kNames{"spheres", "planes", "triangles", "smooth_triangles",
-                                                      "polygons", "meshes", "boxes",    "discs",
-                                                      "cones",    "quadrics", "tori",   "patches"};
+constexpr std::array<const char*, kShapeKinds> kNames{"spheres",  "planes",   "triangles", "smooth_triangles",
+                                                      "polygons", "meshes",   "boxes",     "discs",
+                                                      "cones",    "quadrics", "tori",      "patches"};
 
 }  // namespace
 

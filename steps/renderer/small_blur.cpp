@@ -84,14 +84,16 @@ void drop_small_blur(Scene& scene, Raster raster) {
     const auto boxes = all_bounds(scene);
     if (boxes && !boxes->empty()) {
         const Depths depths = depths_of(scene.camera, *boxes);
-        if (largest_blur_px(scene.camera, raster, depths.nearest, depths.farthest) <= kSmallPx) scene.camera.aperture = 0;
+        if (largest_blur_px(scene.camera, raster, depths.nearest, depths.farthest) <= kSmallPx)
+            scene.camera.aperture = 0;
         // Mirrors and glass enlarge: only what is seen directly has a known size.
         const bool enlarges = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
             return !m.finish.reflection.max.is_black() || lets_light_through(m.pigment);
         });
         const Real near = scene.camera.kind == Camera::Kind::orthographic ? 1 : depths.nearest;
         for (Light& light : scene.lights)
-            if (light.area && !enlarges && lights_like_a_point(scene, light, *boxes, near * pixel_width(scene.camera, raster)))
+            if (light.area && !enlarges &&
+                lights_like_a_point(scene, light, *boxes, near * pixel_width(scene.camera, raster)))
                 light.area = false;
     }
     take_unfinished_task();

@@ -99,8 +99,7 @@ bool read_item(Interpreter& in, CameraDraft& camera, Said& said) {
             in.note(word.place, fmt::format("'{}' belongs to POV-Ray's focal blur and has no effect", word.text));
             return true;
         }
-        default:
-            break;
+        default: break;
     }
     const auto step = read_placement(in);
     if (step) place_further(said.placement, *step);

@@ -13,8 +13,7 @@ bool is_whole_color(Word word) {
         case Word::rgb_: case Word::rgbf_: case Word::rgbt_: case Word::rgbft_: case Word::srgb_: case Word::srgbf_:
         case Word::srgbt_: case Word::srgbft_: return true;
         // clang-format on
-        default:
-            return false;
+        default: return false;
     }
 }
 
@@ -24,8 +23,7 @@ bool is_component(Word word) {
         case Word::alpha_: case Word::blue_: case Word::filter_: case Word::green_: case Word::red_:
         case Word::transmit_: return true;
         // clang-format on
-        default:
-            return is_whole_color(word);
+        default: return is_whole_color(word);
     }
 }
 
@@ -41,20 +39,11 @@ void Interpreter::color_keyword(Word word, Color& color) {
     if (!is_whole_color(word)) {
         const auto value = static_cast<float>(number());
         switch (word) {
-            case Word::red_:
-                color.rgb[0] = value;
-                break;
-            case Word::green_:
-                color.rgb[1] = value;
-                break;
-            case Word::blue_:
-                color.rgb[2] = value;
-                break;
-            case Word::transmit_:
-                color.transmit = value;
-                break;
-            default:
-                color.filter = value;
+            case Word::red_: color.rgb[0] = value; break;
+            case Word::green_: color.rgb[1] = value; break;
+            case Word::blue_: color.rgb[2] = value; break;
+            case Word::transmit_: color.transmit = value; break;
+            default: color.filter = value;
         }
         return;
     }

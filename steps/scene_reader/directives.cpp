@@ -12,29 +12,18 @@ void Interpreter::directive() {
     const Place place{scanner_.source(), scanner_.at() - 1};
     spend(kWorkOfDirective);
     switch (const Word word = scanner_.directive_word(names_)) {
-        case Word::declare_:
-            return declare(false, place);
-        case Word::local_:
-            return declare(true, place);
-        case Word::undef_:
-            return undef_directive(place);
-        case Word::if_:
-            return if_directive(std::abs(condition()) > kEpsilon, place);
-        case Word::ifdef_:
-            return if_directive(is_declared(), place);
-        case Word::ifndef_:
-            return if_directive(!is_declared(), place);
+        case Word::declare_: return declare(false, place);
+        case Word::local_: return declare(true, place);
+        case Word::undef_: return undef_directive(place);
+        case Word::if_: return if_directive(std::abs(condition()) > kEpsilon, place);
+        case Word::ifdef_: return if_directive(is_declared(), place);
+        case Word::ifndef_: return if_directive(!is_declared(), place);
         case Word::else_:
-        case Word::elseif_:
-            return else_directive(place);
-        case Word::end_:
-            return end_directive(place);
-        case Word::while_:
-            return while_directive(place);
-        case Word::for_:
-            return for_directive(place);
-        case Word::switch_:
-            return switch_directive(place);
+        case Word::elseif_: return else_directive(place);
+        case Word::end_: return end_directive(place);
+        case Word::while_: return while_directive(place);
+        case Word::for_: return for_directive(place);
+        case Word::switch_: return switch_directive(place);
         case Word::case_:
         case Word::range_:
             // Falling into the next case: its value no longer matters.
@@ -43,14 +32,10 @@ void Interpreter::directive() {
             }
             static_cast<void>(case_matches(word, 0));
             return;
-        case Word::break_:
-            return break_directive(place);
-        case Word::macro_:
-            return define_macro(place);
-        case Word::include_:
-            return include_directive(place);
-        case Word::version_:
-            return version_directive(place);
+        case Word::break_: return break_directive(place);
+        case Word::macro_: return define_macro(place);
+        case Word::include_: return include_directive(place);
+        case Word::version_: return version_directive(place);
         case Word::default_:
             if (read_default) read_default();
             return;
@@ -58,10 +43,8 @@ void Interpreter::directive() {
         case Word::warning_:
         case Word::debug_:
         case Word::render_:
-        case Word::statistics_:
-            return message_directive(word, place);
-        default:
-            break;
+        case Word::statistics_: return message_directive(word, place);
+        default: break;
     }
     Token found = scanner_.scan(names_);
     fail(place,

@@ -41,8 +41,7 @@ void combine(Numbers& left, Numbers right, Operation operation) {
 bool Interpreter::number_follows() {
     const Token& token = peek();
     switch (token.kind) {
-        case Token::Kind::number:
-            return true;
+        case Token::Kind::number: return true;
         case Token::Kind::symbol:
             return token.symbol == '(' || token.symbol == '+' || token.symbol == '-' || token.symbol == '!';
         case Token::Kind::word:
@@ -51,8 +50,7 @@ bool Interpreter::number_follows() {
             const auto* numbers = token.value->as<Numbers>();
             return (numbers && numbers->count == 1) || token.value->as<Shared<Function>>();
         }
-        default:
-            return false;
+        default: return false;
     }
 }
 
@@ -103,18 +101,12 @@ Numbers Interpreter::comparison(int wanted) {
         combine(left, right, [symbol](double a, double b) {
             const bool equal = !is_true(a - b);
             switch (symbol) {
-                case '<':
-                    return double(a < b);
-                case '>':
-                    return double(a > b);
-                case 'l':
-                    return double(a <= b || equal);
-                case 'g':
-                    return double(a >= b || equal);
-                case '=':
-                    return double(equal);
-                default:
-                    return double(!equal);
+                case '<': return double(a < b);
+                case '>': return double(a > b);
+                case 'l': return double(a <= b || equal);
+                case 'g': return double(a >= b || equal);
+                case '=': return double(equal);
+                default: return double(!equal);
             }
         });
     }
@@ -126,20 +118,13 @@ double Interpreter::string_comparison() {
     if (symbol.kind != Token::Kind::symbol) fail(symbol, "expected a comparison after a string");
     const int order = left.compare(string());
     switch (symbol.symbol) {
-        case '<':
-            return order < 0;
-        case '>':
-            return order > 0;
-        case 'l':
-            return order <= 0;
-        case 'g':
-            return order >= 0;
-        case '=':
-            return order == 0;
-        case 'n':
-            return order != 0;
-        default:
-            fail(symbol, "expected a comparison after a string");
+        case '<': return order < 0;
+        case '>': return order > 0;
+        case 'l': return order <= 0;
+        case 'g': return order >= 0;
+        case '=': return order == 0;
+        case 'n': return order != 0;
+        default: fail(symbol, "expected a comparison after a string");
     }
 }
 
@@ -201,10 +186,8 @@ Numbers Interpreter::factor(int wanted) {
 Numbers Interpreter::primary(int wanted) {
     const Token token = take();
     switch (token.kind) {
-        case Token::Kind::number:
-            return filled(token.number, wanted);
-        case Token::Kind::value:
-            return value_of(token, wanted);
+        case Token::Kind::number: return filled(token.number, wanted);
+        case Token::Kind::value: return value_of(token, wanted);
         case Token::Kind::symbol:
             if (token.symbol == '(') {
                 const Numbers value = expression(wanted);
@@ -228,8 +211,7 @@ Numbers Interpreter::primary(int wanted) {
             if (token.word == Word::v_) return {{0, 1}, 2};
             break;
         }
-        default:
-            break;
+        default: break;
     }
     peeked_ = token;
     has_peeked_ = true;
@@ -285,8 +267,7 @@ void Interpreter::component(Numbers& numbers) {
             // POV-Ray's weights of red, green and blue.
             numbers = filled(0.297 * numbers.at[0] + 0.589 * numbers.at[1] + 0.114 * numbers.at[2], 1);
             return;
-        default:
-            fail(token, "expected x, y, z, u, v, t, red, green, blue, filter, transmit or gray after the point");
+        default: fail(token, "expected x, y, z, u, v, t, red, green, blue, filter, transmit or gray after the point");
     }
     if (i >= numbers.count) fail(token, fmt::format("a value of {} components has no '{}'", numbers.count, token.text));
     numbers = filled(numbers.at[i], 1);

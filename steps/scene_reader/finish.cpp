@@ -147,11 +147,8 @@ bool read_item(Interpreter& in, Finish& finish, Albedo& albedo) {
             finish.brilliance = single(in);
             if (!(finish.brilliance >= 0)) in.fail(place, "brilliance must not be negative");
             return true;
-        case Word::crand_:
-            only(in, 0);
-            return true;
-        default:
-            return false;
+        case Word::crand_: only(in, 0); return true;
+        default: return false;
     }
 }
 

@@ -54,8 +54,7 @@ bool read_statement(Context& context) {
                 in.take();
                 context.out.add_atmosphere(read_media(in));
                 return true;
-            default:
-                break;
+            default: break;
         }
     }
     const auto object = read_object(context);
@@ -140,8 +139,7 @@ bool read_thing(Context& context, Value& result) {
             in.take();
             set(result, read_camera(context));
             return true;
-        default:
-            break;
+        default: break;
     }
     auto object = read_object(context);
     if (object) set(result, std::move(*object));

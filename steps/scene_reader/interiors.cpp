@@ -134,8 +134,7 @@ bool read_limits_item(Interpreter& in, Media& media) {
             in.note(word.place,
                     fmt::format("'{}' belongs to POV-Ray's way of sampling media and has no effect", word.text));
             return true;
-        default:
-            return false;
+        default: return false;
     }
 }
 

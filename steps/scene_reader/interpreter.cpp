@@ -9,7 +9,12 @@
 namespace rays::sdl {
 
 Interpreter::Interpreter(Sources& sources, const Source& scene, const ReadOptions& options, Budget& budget)
-    : sources_(sources), options_(options), budget_(budget), scanned_(*budget.scanned), names_(scanned_.names), scopes_(1) {
+    : sources_(sources),
+      options_(options),
+      budget_(budget),
+      scanned_(*budget.scanned),
+      names_(scanned_.names),
+      scopes_(1) {
     scanner_.move_to(&scene, scene.begin());
     if (budget_.can_grow) budget_.work += kWorkPerByte * static_cast<std::int64_t>(scene.text.size());
     predeclare("Raysteps", 1);
@@ -77,8 +82,7 @@ void Interpreter::fetch() {
                     }
                 }
                 continue;
-            default:
-                return;
+            default: return;
         }
     }
 }

@@ -91,8 +91,7 @@ bool read_shape_item(Interpreter& in, LightDraft& draft) {
             in.take();
             light.fade_power = static_cast<Real>(in.number());
             return true;
-        default:
-            return false;
+        default: return false;
     }
 }
 
@@ -123,7 +122,9 @@ bool read_area_item(Interpreter& in, LightDraft& draft) {
             return true;
         case Word::area_illumination_:
             in.take();
-            if (!in.flag()) in.note(word.place, "every point of an area light lights from where it is: area_illumination is always on");
+            if (!in.flag())
+                in.note(word.place,
+                        "every point of an area light lights from where it is: area_illumination is always on");
             return true;
         case Word::media_attenuation_:
         case Word::media_interaction_:
@@ -136,8 +137,7 @@ bool read_area_item(Interpreter& in, LightDraft& draft) {
             read_object_photons(in, {});
             in.note(word.place, "photons of a light are read and have no effect: every light sends them to targets");
             return true;
-        default:
-            return false;
+        default: return false;
     }
 }
 

@@ -29,10 +29,10 @@ inline constexpr std::size_t kLongestString = 1 << 20;
 /// Notes kept; a loop could make millions.
 inline constexpr std::size_t kMostNotes = 100;
 
-/// Work is counted in units of a token, some 15 to 25 ns. A loop that makes nothing ends after `kIdleWork` (one second);
-/// text read once buys more without limit, objects made by it up to `kMostWorkForObjects`: a mesh of a million triangles
-/// that loops compute is read in three seconds, and nothing small takes five. Beyond, an object still buys what a sphere
-/// in a loop costs: a scene of ten million objects is large, not hostile, and `kMostObjects` ends it.
+/// Work is counted in units of a token, some 15 to 25 ns. A loop that makes nothing ends after `kIdleWork` (one
+/// second); text read once buys more without limit, objects made by it up to `kMostWorkForObjects`: a mesh of a million
+/// triangles that loops compute is read in three seconds, and nothing small takes five. Beyond, an object still buys
+/// what a sphere in a loop costs: a scene of ten million objects is large, not hostile, and `kMostObjects` ends it.
 inline constexpr std::int64_t kIdleWork = 40'000'000;
 inline constexpr std::int64_t kMostWorkForObjects = 150'000'000;
 /// Work of all readings after the first (see tabulate.h).

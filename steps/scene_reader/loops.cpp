@@ -91,16 +91,10 @@ void Interpreter::end_directive(Place place) {
     Block& block = blocks_.back();
     switch (block.kind) {
         case Block::Kind::if_:
-        case Block::Kind::switch_:
-            blocks_.pop_back();
-            return;
-        case Block::Kind::macro:
-            return return_from_macro();
-        case Block::Kind::while_:
-            turn_while(blocks_.size() - 1);
-            return;
-        case Block::Kind::for_:
-            break;
+        case Block::Kind::switch_: blocks_.pop_back(); return;
+        case Block::Kind::macro: return return_from_macro();
+        case Block::Kind::while_: turn_while(blocks_.size() - 1); return;
+        case Block::Kind::for_: break;
     }
     auto& known = bindings(block.variable);
     Value* slot = known.empty() ? nullptr : known.back().slot.get();

@@ -202,8 +202,7 @@ bool read_surface_modifier(Context& context, ObjectDraft& object) {
             object.interior_placement.reset();
             return true;
         }
-        default:
-            return false;
+        default: return false;
     }
 }
 
@@ -251,8 +250,7 @@ bool read_flag(Context& context, ObjectDraft& object) {
             in.take();
             if (in.flag()) in.fail(word, fmt::format("'{}' is not in the subset; remove it", word.text));
             return true;
-        default:
-            return false;
+        default: return false;
     }
 }
 

@@ -90,11 +90,8 @@ bool read_setting(Context& context) {
             in.take();
             in.rgb();
             break;
-        case Word::charset_:
-            in.take(), in.take();
-            break;
-        default:
-            return false;
+        case Word::charset_: in.take(), in.take(); break;
+        default: return false;
     }
     in.note(word.place, fmt::format("'{}' is read and has no effect", word.text));
     return true;

@@ -256,54 +256,28 @@ bool is_shape(Word word) {
         case Word::quadric_: case Word::torus_: case Word::triangle_: case Word::smooth_triangle_: case Word::polygon_:
         case Word::mesh_: case Word::mesh2_: case Word::bicubic_patch_: return true;
         // clang-format on
-        default:
-            return false;
+        default: return false;
     }
 }
 
 void read_shape(Context& context, Word word, ObjectDraft& object) {
     Interpreter& in = context.in;
     switch (word) {
-        case Word::sphere_:
-            object.shape = read_sphere(in);
-            return;
-        case Word::plane_:
-            object.shape = read_plane(in);
-            return;
-        case Word::box_:
-            return read_box(in, object);
-        case Word::disc_:
-            object.shape = read_disc(in);
-            return;
-        case Word::cone_:
-            object.shape = read_cone(in);
-            return;
-        case Word::cylinder_:
-            object.shape = read_cylinder(in);
-            return;
-        case Word::quadric_:
-            object.shape = read_quadric(in);
-            return;
-        case Word::torus_:
-            object.shape = read_torus(in);
-            return;
-        case Word::triangle_:
-            return read_triangle(in, false, object);
-        case Word::smooth_triangle_:
-            return read_triangle(in, true, object);
-        case Word::polygon_:
-            return read_polygon(in, object);
-        case Word::bicubic_patch_:
-            object.shape = read_patch(in);
-            return;
-        case Word::mesh_:
-            object.shape = read_mesh(context, object.place);
-            return;
-        case Word::mesh2_:
-            object.shape = read_mesh2(context, object.place);
-            return;
-        default:
-            in.unexpected("an object");
+        case Word::sphere_: object.shape = read_sphere(in); return;
+        case Word::plane_: object.shape = read_plane(in); return;
+        case Word::box_: return read_box(in, object);
+        case Word::disc_: object.shape = read_disc(in); return;
+        case Word::cone_: object.shape = read_cone(in); return;
+        case Word::cylinder_: object.shape = read_cylinder(in); return;
+        case Word::quadric_: object.shape = read_quadric(in); return;
+        case Word::torus_: object.shape = read_torus(in); return;
+        case Word::triangle_: return read_triangle(in, false, object);
+        case Word::smooth_triangle_: return read_triangle(in, true, object);
+        case Word::polygon_: return read_polygon(in, object);
+        case Word::bicubic_patch_: object.shape = read_patch(in); return;
+        case Word::mesh_: object.shape = read_mesh(context, object.place); return;
+        case Word::mesh2_: object.shape = read_mesh2(context, object.place); return;
+        default: in.unexpected("an object");
     }
 }
 

@@ -13,14 +13,10 @@ namespace rays::sdl {
 bool Interpreter::string_follows() {
     const Token& token = peek();
     switch (token.kind) {
-        case Token::Kind::string:
-            return true;
-        case Token::Kind::value:
-            return token.value->as<std::string>() != nullptr;
-        case Token::Kind::word:
-            break;
-        default:
-            return false;
+        case Token::Kind::string: return true;
+        case Token::Kind::value: return token.value->as<std::string>() != nullptr;
+        case Token::Kind::word: break;
+        default: return false;
     }
     switch (token.word) {
         case Word::chr_:
@@ -29,10 +25,8 @@ bool Interpreter::string_follows() {
         case Word::strlwr_:
         case Word::strupr_:
         case Word::substr_:
-        case Word::vstr_:
-            return true;
-        default:
-            return false;
+        case Word::vstr_: return true;
+        default: return false;
     }
 }
 
@@ -51,32 +45,15 @@ std::string unescaped(std::string_view text) {
             break;
         }
         switch (const char c = text[++i]) {
-            case 'n':
-                result += '\n';
-                break;
-            case 't':
-                result += '\t';
-                break;
-            case 'r':
-                result += '\r';
-                break;
-            case 'a':
-                result += '\a';
-                break;
-            case 'b':
-                result += '\b';
-                break;
-            case 'f':
-                result += '\f';
-                break;
-            case 'v':
-                result += '\v';
-                break;
-            case '0':
-                result += '\0';
-                break;
-            default:
-                result += c;
+            case 'n': result += '\n'; break;
+            case 't': result += '\t'; break;
+            case 'r': result += '\r'; break;
+            case 'a': result += '\a'; break;
+            case 'b': result += '\b'; break;
+            case 'f': result += '\f'; break;
+            case 'v': result += '\v'; break;
+            case '0': result += '\0'; break;
+            default: result += c;
         }
     }
     return result;
@@ -170,8 +147,7 @@ std::string Interpreter::string_made_by(const Token& token) {
             for (char& c : result)
                 c = static_cast<char>(token.word == Word::strupr_ ? std::toupper(c) : std::tolower(c));
             break;
-        default:
-            fail(token, fmt::format("found {}; expected a string", describe(token)));
+        default: fail(token, fmt::format("found {}; expected a string", describe(token)));
     }
     expect(')', fmt::format("'{}'", token.text));
     return result;
@@ -183,10 +159,8 @@ bool Interpreter::string_function(Word word, const Place& place, double& result)
         case Word::file_exists_:
         case Word::strcmp_:
         case Word::strlen_:
-        case Word::val_:
-            break;
-        default:
-            return false;
+        case Word::val_: break;
+        default: return false;
     }
     expect('(', fmt::format("'{}'", to_string(word)));
     const std::string text = string();

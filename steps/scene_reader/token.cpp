@@ -4,8 +4,8 @@
 
 #include <array>
 #include <charconv>
-#include <cstdlib>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -51,7 +51,8 @@ const char* next(const char* from, char c, const char* end) {
 
 // All bytes 0: no place in any text.
 std::unique_ptr<Scanned::Remembered[], Scanned::Free> nothing_remembered() {
-    static_assert(std::is_trivially_copyable_v<Scanned::Remembered> && std::is_trivially_destructible_v<Scanned::Remembered>);
+    static_assert(std::is_trivially_copyable_v<Scanned::Remembered> &&
+                  std::is_trivially_destructible_v<Scanned::Remembered>);
     void* bytes = std::calloc(Scanned::kRemembered, sizeof(Scanned::Remembered));
     if (!bytes) throw std::bad_alloc();
     return std::unique_ptr<Scanned::Remembered[], Scanned::Free>(static_cast<Scanned::Remembered*>(bytes));
@@ -61,28 +62,18 @@ std::unique_ptr<Scanned::Remembered[], Scanned::Free> nothing_remembered() {
 
 std::string describe(const Token& token) {
     switch (token.kind) {
-        case Token::Kind::end:
-            return "the end of the scene";
-        case Token::Kind::number:
-            return fmt::format("the number {}", token.number);
-        case Token::Kind::string:
-            return "a string";
-        case Token::Kind::hash:
-            return "a directive";
-        case Token::Kind::symbol:
-            break;
-        default:
-            return fmt::format("'{}'", token.text.substr(0, 60));
+        case Token::Kind::end: return "the end of the scene";
+        case Token::Kind::number: return fmt::format("the number {}", token.number);
+        case Token::Kind::string: return "a string";
+        case Token::Kind::hash: return "a directive";
+        case Token::Kind::symbol: break;
+        default: return fmt::format("'{}'", token.text.substr(0, 60));
     }
     switch (token.symbol) {
-        case 'l':
-            return "'<='";
-        case 'g':
-            return "'>='";
-        case 'n':
-            return "'!='";
-        default:
-            return fmt::format("'{}'", token.symbol);
+        case 'l': return "'<='";
+        case 'g': return "'>='";
+        case 'n': return "'!='";
+        default: return fmt::format("'{}'", token.symbol);
     }
 }
 
@@ -133,12 +124,9 @@ void Scanner::scan(Names& names, Token& token) {
         }
         const char c = *at_;
         switch (class_of(c)) {
-            case Class::digit:
-                return scan_number(token);
-            case Class::letter:
-                return scan_name(token, names);
-            case Class::quote:
-                return scan_string(token);
+            case Class::digit: return scan_number(token);
+            case Class::letter: return scan_name(token, names);
+            case Class::quote: return scan_string(token);
             case Class::hash:
                 ++at_;
                 token.kind = Token::Kind::hash;
@@ -153,8 +141,7 @@ void Scanner::scan(Names& names, Token& token) {
                     ++at_;
                 }
                 return;
-            default:
-                break;
+            default: break;
         }
         // A byte order mark in front of the text is no character of it.
         if (at_ != source_->begin() || std::strncmp(at_, "\xEF\xBB\xBF", 3) != 0) {
@@ -279,9 +266,7 @@ Word Scanner::skip_block(Names& names, int levels, bool at_else, Place opened) {
                 case Word::while_:
                 case Word::for_:
                 case Word::switch_:
-                case Word::macro_:
-                    ++levels;
-                    break;
+                case Word::macro_: ++levels; break;
                 case Word::else_:
                 case Word::elseif_:
                 case Word::case_:
@@ -291,8 +276,7 @@ Word Scanner::skip_block(Names& names, int levels, bool at_else, Place opened) {
                 case Word::end_:
                     if (--levels == 0) return word;
                     break;
-                default:
-                    break;
+                default: break;
             }
         }
     }

@@ -54,7 +54,8 @@ struct Scanned {
     struct Free {
         void operator()(Remembered* p) const { std::free(p); }
     };
-    /// By the last bits of `from`; none until something repeats. From calloc: of a short body few pages are ever touched.
+    /// By the last bits of `from`; none until something repeats. From calloc: of a short body few pages are ever
+    /// touched.
     std::unique_ptr<Remembered[], Free> remembered;
 };
 
@@ -72,7 +73,8 @@ public:
 
     /// The next token; a '#' is left to the caller, who sees kind hash. End of text is kind end.
     void scan(Names& names, Token& token);
-    /// The same, for text that is read time and again, as loops and macros are: what was scanned is remembered by its place.
+    /// The same, for text that is read time and again, as loops and macros are: what was scanned is remembered by its
+    /// place.
     void scan_repeated(Scanned& scanned, Token& token);
     Token scan(Names& names) {
         Token token;

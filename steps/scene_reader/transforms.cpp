@@ -51,23 +51,12 @@ std::optional<Affine> read_placement(Interpreter& in) {
     if (next.kind != Token::Kind::word) return std::nullopt;
     const Place place = next.place;
     switch (next.word) {
-        case Word::translate_:
-            in.take();
-            return Affine::translation(in.vector());
-        case Word::rotate_:
-            in.take();
-            return Affine::rotation(in.vector());
-        case Word::scale_:
-            in.take();
-            return read_scale(in, place);
-        case Word::matrix_:
-            in.take();
-            return read_matrix(in, place);
-        case Word::transform_:
-            in.take();
-            return checked(in, place, read_transform(in));
-        default:
-            return std::nullopt;
+        case Word::translate_: in.take(); return Affine::translation(in.vector());
+        case Word::rotate_: in.take(); return Affine::rotation(in.vector());
+        case Word::scale_: in.take(); return read_scale(in, place);
+        case Word::matrix_: in.take(); return read_matrix(in, place);
+        case Word::transform_: in.take(); return checked(in, place, read_transform(in));
+        default: return std::nullopt;
     }
 }
 

@@ -47,8 +47,7 @@ void Interpreter::leave_scope() {
 std::shared_ptr<Value> Interpreter::assignable(const Token& token, bool local) {
     const std::size_t scope = local ? scopes_.size() - 1 : 0;
     switch (token.kind) {
-        case Token::Kind::name:
-            return bind(token.name, scope);
+        case Token::Kind::name: return bind(token.name, scope);
         case Token::Kind::macro:
         case Token::Kind::value:
             if (token.array) return {token.array->shared_from_this(), token.value};
@@ -58,8 +57,7 @@ std::shared_ptr<Value> Interpreter::assignable(const Token& token, bool local) {
             if (local && token.scope != scope) return bind(token.name, scope);
             if (Reference* reference = bindings_[token.name].back().slot->as<Reference>()) return reference->target;
             return bindings_[token.name].back().slot;
-        default:
-            break;
+        default: break;
     }
     if (token.kind == Token::Kind::word) {
         fail(token, fmt::format("'{}' is a reserved word; choose another name", token.text));

@@ -10,7 +10,7 @@
 namespace rays::sdl {
 
 // Every word that this reader acts on. `Word::sphere_` is "sphere".
-#define RAYS_SDL_WORDS(X)                                                                                            \
+#define RAYS_SDL_WORDS(X)                                                                                             \
     X(aa_level) X(aa_threshold) X(abs) X(absorption) X(accuracy) X(acos) X(acosh) X(adaptive) X(adc_bailout)          \
     X(albedo) X(alpha) X(ambient) X(ambient_light) X(angle) X(aperture) X(area_illumination) X(area_light) X(array)   \
     X(asc) X(asin) X(asinh) X(assumed_gamma) X(atan) X(atan2) X(atanh) X(background) X(bicubic_patch)                 \

@@ -39,10 +39,12 @@ TEST(PictureError, DoesNotSeeTheRoundingOfHalfFloats) {
 
 TEST(PictureError, OfAMeanIsWithoutTheReferencesOwn) {
     const AveragedReference truth{picture(4, 2, 0.5f), picture(4, 2, 0.03f)};
-    EXPECT_NEAR(picture_error(picture(4, 2, 0.55f), truth), 0.08, 1e-6) << "0.05, of which 0.03 are the reference's, of 0.5";
+    EXPECT_NEAR(picture_error(picture(4, 2, 0.55f), truth), 0.08, 1e-6)
+        << "0.05, of which 0.03 are the reference's, of 0.5";
     EXPECT_NEAR(picture_error(truth.mean, truth), 0.015, 1e-7) << "a quarter of 0.03, of 0.5";
     EXPECT_THROW(picture_error(picture(2, 4, 0.5f), truth), std::invalid_argument);
-    EXPECT_EQ(picture_error(picture(4, 2, std::numeric_limits<float>::quiet_NaN()), truth), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(picture_error(picture(4, 2, std::numeric_limits<float>::quiet_NaN()), truth),
+              std::numeric_limits<double>::infinity());
 }
 
 TEST(PictureError, WhatIsNoNumberIsInfinitelyWrong) {

@@ -61,7 +61,8 @@ Real farthest(const Mesh& mesh) {
 // The scene turns its flake, which keeps distances from the middle.
 TEST(Bodies, FlakeIsThatOfTheScene) {
     const auto file = std::filesystem::path(BENCH_SCENES) / "million_triangles.pov";
-    const Scene scene = read_scene(file.string(), {});  // a million triangles made by loops are within the reader's limits
+    const Scene scene =
+        read_scene(file.string(), {});  // a million triangles made by loops are within the reader's limits
     const Bodies flake = tessellated_flake();
     EXPECT_EQ(flake.count, 826'560u);
     EXPECT_EQ(flake.count, scene.meshes.at(0).faces.size());

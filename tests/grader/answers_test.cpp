@@ -30,8 +30,8 @@ TEST(ParseAnswer, KeepsNanForTheJudge) {
 }
 
 TEST(ParseAnswer, EverythingElseIsAnError) {
-    for (const std::string text :
-         {"", "hit", "hit x", "1 2 three", "1,2", "Grade :=>> 100", "\x1b[2J", "miss 1", "unfinished", "1 2 3x", "0x", "1e999", "+1", "1\t2", "1.5.5", "1-2"})
+    for (const std::string text : {"", "hit", "hit x", "1 2 three", "1,2", "Grade :=>> 100", "\x1b[2J", "miss 1",
+                                   "unfinished", "1 2 3x", "0x", "1e999", "+1", "1\t2", "1.5.5", "1-2"})
         EXPECT_EQ(parse_answer(text).kind, Kind::error) << text;
     EXPECT_EQ(parse_answer(std::string_view("1 \0 2", 5)).kind, Kind::error) << "not the end of the line";
     EXPECT_EQ(parse_answer(std::string(1000000, '1')).text.size(), 16384u * 25);

@@ -28,7 +28,7 @@ protected:
     TemporaryFolder folder;
     std::unique_ptr<Sandbox> sandbox = make_sandbox();
     HandInBench bench{
-        project, *sandbox, project.program("render-solution"), project.program("render-solution"), folder.path(), {},
+        project,  *sandbox, project.program("render-solution"), project.program("render-solution"), folder.path(), {},
         limits(), 1};
 
     /// As the grader's: AddressSanitizer maps terabytes of address space.

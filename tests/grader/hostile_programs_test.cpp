@@ -1,4 +1,5 @@
-// Whole submissions whose code prints, floods, leaves early or forges: none gets a point by it, none is hurt by printing.
+// Whole submissions whose code prints, floods, leaves early or forges: none gets a point by it, none is hurt by
+// printing.
 #include <gtest/gtest.h>
 
 #include "submission_fixture.h"

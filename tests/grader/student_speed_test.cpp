@@ -105,10 +105,20 @@ TEST_F(StudentSpeedTest, AMeanIsHeldAgainstAveragedFramesNotTheSolution) {
         return "case \"$*\" in *'--pattern sobol --samples 4'*) ;; *) exit 1 ;; esac\ncp " +
                (folder.path() / "picture").string() + " picture.exr\n";
     };
-    step.speed = {{"5.edges.time", "Sobol", "x", "5_distributed/edges.pov", width, height, {{"4 samples", "", 4}}, SpeedTask::kReference, {}, {}}};
+    step.speed = {{"5.edges.time",
+                   "Sobol",
+                   "x",
+                   "5_distributed/edges.pov",
+                   width,
+                   height,
+                   {{"4 samples", "", 4}},
+                   SpeedTask::kReference,
+                   {},
+                   {}}};
     // The solution's picture is black: nobody looks at it.
     const auto error = [&](float times) {
-        const auto points = timed(painting_of(solution_folder, truth.mean, 0), painting_of(student_folder, truth.mean, times));
+        const auto points =
+            timed(painting_of(solution_folder, truth.mean, 0), painting_of(student_folder, truth.mean, times));
         EXPECT_EQ(points.at(0).verdict, Verdict::pass) << points.at(0).message;
         EXPECT_EQ(points.at(0).against, "");
         return points.at(0).error.value_or(-1);
@@ -177,7 +187,8 @@ TEST(SpeedTasks, AreWhatTheChartsHave) {
                 EXPECT_TRUE(fs::exists(find_project().scenes() / task.scene)) << task.scene;
             }
             for (const auto& setting : task.settings)
-                EXPECT_EQ(setting.samples > 0, task.truth == SpeedTask::kReference) << task.chart << ": means are held against averaged frames";
+                EXPECT_EQ(setting.samples > 0, task.truth == SpeedTask::kReference)
+                    << task.chart << ": means are held against averaged frames";
         }
     EXPECT_GE(tasks, 11u) << "every step of 1 to 5 has some";
 }

@@ -158,8 +158,8 @@ TEST_F(SubmissionsTest, AKnownMistakeIsNamedAndExplained) {
     EXPECT_TRUE(tree);
     for (const Check& c : step.checks) {
         if (c.kind != "image" || c.verdict != Verdict::fail) continue;
-        const std::string view = fmt::format("--width {} --height {} --from {} --partition none", c.image->width, c.image->height,
-                                             c.mode == "isolated" ? "student-2" : "student");
+        const std::string view = fmt::format("--width {} --height {} --from {} --partition none", c.image->width,
+                                             c.image->height, c.mode == "isolated" ? "student-2" : "student");
         EXPECT_EQ(c.reproduce, fmt::format("./rays render scenes/{0} -o picture.png {3}\n"
                                            "./rays explain scenes/{0} --pixel {1},{2} {3}",
                                            c.image->scene, c.image->worst_x, c.image->worst_y, view));
@@ -185,8 +185,11 @@ void expect_caught(const StepResult& step, const std::vector<std::string>& caugh
 TEST_F(SubmissionsTest, AKnownMistakeIsNamedInHalfFinishedWork) {
     std::string text = solution_with("    unfinished(\"2.8\");\n    return {};");
     text = replaced(
-        text, "Radiance direct_light(const Scene& scene, std::span<const Light> lights, const Visibility& visibility,\n                      const Surface& surface) {",
-        "Radiance direct_light(const Scene&, std::span<const Light>, const Visibility&, const Surface&) {\n    unfinished(\"2.10\");\n"
+        text,
+        "Radiance direct_light(const Scene& scene, std::span<const Light> lights, const Visibility& visibility,\n      "
+        "                const Surface& surface) {",
+        "Radiance direct_light(const Scene&, std::span<const Light>, const Visibility&, const Surface&) {\n    "
+        "unfinished(\"2.10\");\n"
         "    return {};\n}\n\n[[maybe_unused]] static Radiance later(const Scene& scene, std::span<const Light> "
         "lights, const Visibility& visibility, const Surface& surface) {");
     for (const Mutant& m : read_mutants(project.mutants()))
@@ -202,8 +205,7 @@ TEST_F(SubmissionsTest, AKnownMistakeIsNamedInHalfFinishedWork) {
 
 // Light falls off with the root of the cosine: wrong, and none of the list.
 TEST_F(SubmissionsTest, AnUnknownMistakeIsCaughtAndNotGivenAWrongName) {
-    put(kFile, replaced(solution(), "finish->diffuse * falloff",
-                        "finish->diffuse * std::sqrt(falloff)"));
+    put(kFile, replaced(solution(), "finish->diffuse * falloff", "finish->diffuse * std::sqrt(falloff)"));
     expect_caught(run().steps.at(0), {"2.3.unit", "2.10.unit"}, "none");
 }
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "support/files.h"
 #include "references/reference.h"
+#include "support/files.h"
 
 namespace rays::grader {
 

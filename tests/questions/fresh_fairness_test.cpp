@@ -1,5 +1,6 @@
-// Are the fresh scenes fair? The reader takes every one of them, each shows something, and the solution's picture is the
-// same bytes with every structure: so the solution against itself passes, whichever structure the grader renders with.
+// Are the fresh scenes fair? The reader takes every one of them, each shows something, and the solution's picture is
+// the same bytes with every structure: so the solution against itself passes, whichever structure the grader renders
+// with.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -12,8 +12,8 @@ namespace rays::tests {
 /// Seeds that once called the solution wrong: weights that meet adc_bailout to the last digit, a tint darker than it.
 inline constexpr std::uint64_t kOnceUnfair[] = {20718, 21171, 39938, 3238947696};
 
-/// These, and seeds as the grader draws them: 32 bits, always the same ones here. RAYSTEPS_FAIR_SEEDS=1000 tries more than
-/// the tests have time for.
+/// These, and seeds as the grader draws them: 32 bits, always the same ones here. RAYSTEPS_FAIR_SEEDS=1000 tries more
+/// than the tests have time for.
 inline std::vector<std::uint64_t> fair_seeds() {
     const char* wanted = std::getenv("RAYSTEPS_FAIR_SEEDS");
     std::vector<std::uint64_t> seeds(std::begin(kOnceUnfair), std::end(kOnceUnfair));

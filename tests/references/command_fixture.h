@@ -21,8 +21,9 @@ protected:
 
     /// Exit status; what was said goes to out_ and err_.
     int run(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), {"references", "--scenes", folder_.path().string(), "--width",
-                                             std::to_string(raster_.width), "--height", std::to_string(raster_.height)});
+        arguments.insert(arguments.begin(),
+                         {"references", "--scenes", folder_.path().string(), "--width", std::to_string(raster_.width),
+                          "--height", std::to_string(raster_.height)});
         std::vector<const char*> argv;
         for (const std::string& a : arguments) argv.push_back(a.c_str());
         testing::internal::CaptureStdout();

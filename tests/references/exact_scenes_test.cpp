@@ -7,8 +7,8 @@
 #include "core/error.h"
 #include "core/vec.h"
 #include "references/command.h"
-#include "support/files.h"
 #include "references/library.h"
+#include "support/files.h"
 #include "support/process.h"
 
 namespace rays {
@@ -35,13 +35,13 @@ bool differs(const Rgb& ours, const Rgb& reference) {
 RgbImage render(const ManifestEntry& entry) {
     const TemporaryFolder temporary;
     const auto picture = temporary.path() / "picture.exr";
-    const Ended ended = run_command({{RENDER_SOLUTION, (kFolders.scenes / entry.scene).string(), "-o", picture.string(),
-                                      "--width", std::to_string(entry.raster.width), "--height",
-                                      std::to_string(entry.raster.height)},
-                                     {},
-                                     {},
-                                     only_time(60),
-                                     true});
+    const Ended ended =
+        run_command({{RENDER_SOLUTION, (kFolders.scenes / entry.scene).string(), "-o", picture.string(), "--width",
+                      std::to_string(entry.raster.width), "--height", std::to_string(entry.raster.height)},
+                     {},
+                     {},
+                     only_time(60),
+                     true});
     if (!ended.ok()) throw InputError(how_it_ended(ended) + ": " + ended.err);
     return load_rgb_exr(picture);
 }

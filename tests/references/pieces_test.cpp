@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "core/error.h"
-#include "support/files.h"
 #include "references/manifest.h"
 #include "references/reference.h"
 #include "references/scene_files.h"
+#include "support/files.h"
 #include "support/sha256.h"
 
 namespace rays {

@@ -97,8 +97,8 @@ Canvas student(Painting painting, Mistake mistake) {
     return canvas;
 }
 
-/// What pixels might cost: 0 is a student's grid that counts no nodes, 1 the solution's, 2 an octree that asks nobody in
-/// every tenth row. The test knows these formulas.
+/// What pixels might cost: 0 is a student's grid that counts no nodes, 1 the solution's, 2 an octree that asks nobody
+/// in every tenth row. The test knows these formulas.
 Canvas costs(int map) {
     Canvas canvas{{"tests", "nodes"}, {}};
     for (int y = 0; y < kHeight; ++y)
@@ -118,7 +118,9 @@ Canvas z_map() {
         for (int x = 0; x < kWidth; ++x) {
             const int column = x / 8, row = y / 8;
             const bool dark = (column == 8 || column == 9) && (row == 5 || row == 6);
-            const float z = dark ? -9 : (column + row) % 3 ? 0 : 0.75f * static_cast<float>((7 * column + 3 * row) % 5 - 2);
+            const float z = dark                 ? -9
+                            : (column + row) % 3 ? 0
+                                                 : 0.75f * static_cast<float>((7 * column + 3 * row) % 5 - 2);
             for (const float share : {0.5f, 1.0f, 0.25f}) canvas.values.push_back(share * z);
         }
     return canvas;

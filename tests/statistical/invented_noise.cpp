@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kNormals = 1 << 16;
 
-// The inverse of the normal distribution at the middles of equal shares. Not a lambda: a compiler may try to compute those
-// when it compiles, which took GCC a minute.
+// The inverse of the normal distribution at the middles of equal shares. Not a lambda: a compiler may try to compute
+// those when it compiles, which took GCC a minute.
 std::vector<float> make_normals() {
     std::vector<float> table;
     for (int i = 0; i < kNormals; ++i) {

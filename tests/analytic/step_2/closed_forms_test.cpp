@@ -121,7 +121,8 @@ TEST(ClosedForms, AmbientLightIsFlatAndKnowsNoShadow) {
     const BruteForce intersector(scene);
     const Radiance truth = 0.3f * Radiance(0.8f, 0.4f, 0.2f);
     for (const Vec3& n : {Vec3(0, 1, 0), Vec3(0, -1, 0), glm::normalize(Vec3(1, -2, 3))})
-        expect_near(direct_light(scene, scene.lights, OpaqueShadows(intersector), surface_of(scene, n, n, n)), truth, 1e-7);
+        expect_near(direct_light(scene, scene.lights, OpaqueShadows(intersector), surface_of(scene, n, n, n)), truth,
+                    1e-7);
 }
 
 }  // namespace

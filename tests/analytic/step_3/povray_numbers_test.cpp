@@ -176,12 +176,14 @@ const Measured kMeasured[] = {
      {0.000000, 0.000000, 0.000000}},
     {"an inverse ball far away is not around the camera: its box is asked first",
      "sphere { <30, 0, 0>, 1 inverse pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.5 } } "
-     "sphere { 0, 2 pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on } conserve_energy } interior { ior 1.5 } }",
+     "sphere { 0, 2 pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on } conserve_energy } "
+     "interior { ior 1.5 } }",
      true,
      {0.061494, 0.737285, 0.000000}},
     {"in the box of an inverse ball and outside of the ball it is",
      "sphere { <6, 6, -4>, 7 inverse pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.5 } } "
-     "sphere { 0, 2 pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on } conserve_energy } interior { ior 1.5 } }",
+     "sphere { 0, 2 pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on } conserve_energy } "
+     "interior { ior 1.5 } }",
      true,
      {0.000000, 0.800000, 0.000000}},
 };

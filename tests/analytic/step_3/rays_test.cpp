@@ -147,7 +147,8 @@ TEST(Chord, TheSecondHitIsAChordAway) {
 TEST(Mirror, NegativeLightHasNoPowersInAMirror) {
     // A light that takes light away, seen in a mirror whose reflections have a fractional exponent: black, not NaN.
     const Scene scene = staged(
-        "light_source { <0, 0, -5>, rgb -1 } plane { z, 0 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 1 "
+        "light_source { <0, 0, -5>, rgb -1 } plane { z, 0 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { "
+        "1 "
         "exponent 3 } } } plane { z, -6 inverse pigment { rgb 1 } finish { ambient 0 diffuse 1 } }");
     const BruteForce intersector(scene);
     World world = make_world(scene, intersector);

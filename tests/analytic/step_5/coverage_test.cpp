@@ -6,9 +6,11 @@
 namespace rays::tests {
 namespace {
 
-/// The area of the unit square around (cx, cy) where nx x + ny y < d: the square's corners, cut, by the shoelace formula.
+/// The area of the unit square around (cx, cy) where nx x + ny y < d: the square's corners, cut, by the shoelace
+/// formula.
 double covered(double cx, double cy, double nx, double ny, double d) {
-    const double square[4][2] = {{cx - 0.5, cy - 0.5}, {cx + 0.5, cy - 0.5}, {cx + 0.5, cy + 0.5}, {cx - 0.5, cy + 0.5}};
+    const double square[4][2] = {
+        {cx - 0.5, cy - 0.5}, {cx + 0.5, cy - 0.5}, {cx + 0.5, cy + 0.5}, {cx - 0.5, cy + 0.5}};
     std::vector<std::pair<double, double>> cut;
     for (int i = 0; i < 4; ++i) {
         const auto &a = square[i], &b = square[(i + 1) % 4];
@@ -38,9 +40,11 @@ class Coverage : public testing::TestWithParam<std::tuple<Edge, Pattern, int>> {
 
 /// White to the left of a line that is turned by the angle.
 Scene half_box(double angle, double offset) {
-    return staged(fmt::format("camera {{ orthographic location <0,0,-5> direction z right x*{0} up y*{0} }}\n"
-                              "box {{ <-99,-99,0>, <{2},99,1> rotate {1}*z pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 0 emission 1 }} }}\n",
-                              kSide, angle, offset));
+    return staged(
+        fmt::format("camera {{ orthographic location <0,0,-5> direction z right x*{0} up y*{0} }}\n"
+                    "box {{ <-99,-99,0>, <{2},99,1> rotate {1}*z pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 0 "
+                    "emission 1 }} }}\n",
+                    kSide, angle, offset));
 }
 
 TEST_P(Coverage, OfEveryPixelByAHalfPlane) {
@@ -48,8 +52,10 @@ TEST_P(Coverage, OfEveryPixelByAHalfPlane) {
     const Scene scene = half_box(edge.angle, edge.offset);
     std::vector<Replicas> pixels(kSide * kSide);
     for (std::uint64_t seed = 0; seed < 96; ++seed) {
-        const Film film = render(scene, {.raster = {kSide, kSide}, .samples = samples, .pattern = pattern, .seed = seed, .threads = 1});
-        for (int i = 0; i < kSide * kSide; ++i) pixels[std::size_t(i)].values.push_back(film.at(i % kSide, i / kSide)[0]);
+        const Film film = render(
+            scene, {.raster = {kSide, kSide}, .samples = samples, .pattern = pattern, .seed = seed, .threads = 1});
+        for (int i = 0; i < kSide * kSide; ++i)
+            pixels[std::size_t(i)].values.push_back(film.at(i % kSide, i / kSide)[0]);
     }
     const double nx = std::cos(edge.angle * kPiD / 180), ny = std::sin(edge.angle * kPiD / 180);
     for (int i = 0; i < kSide * kSide; ++i) {
@@ -61,30 +67,36 @@ TEST_P(Coverage, OfEveryPixelByAHalfPlane) {
 
 std::string name_of(const testing::TestParamInfo<std::tuple<Edge, Pattern, int>>& of) {
     constexpr const char* kNames[] = {"regular", "random", "jittered", "multi_jittered", "sobol"};
-    return fmt::format("{}_{}_{}", std::get<0>(of.param).name, kNames[int(std::get<1>(of.param))], std::get<2>(of.param));
+    return fmt::format("{}_{}_{}", std::get<0>(of.param).name, kNames[int(std::get<1>(of.param))],
+                       std::get<2>(of.param));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Edges, Coverage,
-    testing::Combine(testing::Values(Edge{"along_the_rows", 90, 0.3}, Edge{"along_the_columns", 0, -1.4}, Edge{"generic", 33, 0.17}),
+    testing::Combine(testing::Values(Edge{"along_the_rows", 90, 0.3}, Edge{"along_the_columns", 0, -1.4},
+                                     Edge{"generic", 33, 0.17}),
                      testing::Values(Pattern::random, Pattern::jittered, Pattern::multi_jittered, Pattern::sobol),
                      testing::Values(64)),
     name_of);
 
-// An edge along the rows or columns cuts all pixels along it alike: together they show a bias of a hundredth, as cells have
-// that no sample ever visits.
+// An edge along the rows or columns cuts all pixels along it alike: together they show a bias of a hundredth, as cells
+// have that no sample ever visits.
 TEST(Coverage, NumbersOfSamplesThatFillNoGridAreNotBiased) {
-    for (const auto& [angle, offset] : {std::pair(90.0, 0.3), std::pair(0.0, 0.3), std::pair(90.0, 0.8), std::pair(0.0, 0.8)}) {
+    for (const auto& [angle, offset] :
+         {std::pair(90.0, 0.3), std::pair(0.0, 0.3), std::pair(90.0, 0.8), std::pair(0.0, 0.8)}) {
         const Scene scene = half_box(angle, offset);
         for (const Pattern pattern : {Pattern::random, Pattern::jittered, Pattern::multi_jittered, Pattern::sobol})
             for (const int samples : {3, 7, 13}) {
                 Replicas cut;
                 for (std::uint64_t seed = 0; seed < 400; ++seed) {
-                    const Film film = render(scene, {.raster = {kSide, kSide}, .samples = samples, .pattern = pattern, .seed = seed, .threads = 1});
+                    const Film film = render(
+                        scene,
+                        {.raster = {kSide, kSide}, .samples = samples, .pattern = pattern, .seed = seed, .threads = 1});
                     for (int i = 0; i < kSide; ++i)  // rows count downwards
                         cut.values.push_back(angle == 0 ? film.at(3, i)[0] : film.at(i, 2)[0]);
                 }
-                expect_mean(cut, offset, kAlways, 0, fmt::format("pattern {}, {} samples, angle {}", int(pattern), samples, angle));
+                expect_mean(cut, offset, kAlways, 0,
+                            fmt::format("pattern {}, {} samples, angle {}", int(pattern), samples, angle));
             }
     }
 }
@@ -93,7 +105,8 @@ TEST(Coverage, NumbersOfSamplesThatFillNoGridAreNotBiased) {
 // leaves every row (or column) of the grid once, the mean over rows is as good.
 TEST(RegularGrid, IsOffByHalfAStepAtMost) {
     for (const double angle : {0.0, 90.0, 33.0, 71.0}) {
-        const Film film = render(half_box(angle, 0.17), {.raster = {kSide, kSide}, .samples = 64, .pattern = Pattern::regular, .threads = 1});
+        const Film film = render(half_box(angle, 0.17),
+                                 {.raster = {kSide, kSide}, .samples = 64, .pattern = Pattern::regular, .threads = 1});
         const double nx = std::cos(angle * kPiD / 180), ny = std::sin(angle * kPiD / 180);
         for (int i = 0; i < kSide * kSide; ++i) {
             const double x = i % kSide + 0.5 - kSide / 2.0, y = kSide / 2.0 - 0.5 - i / kSide;

@@ -7,9 +7,10 @@
 namespace rays::tests {
 namespace {
 
-// The normal's tilt a has cos a = (1 - u)^(1 / (m + 2)), so p(c) = (m + 2) c^(m + 1) on [0, 1]. A ray that comes along the true
-// normal leaves at 2 a, whose cosine is 2 c^2 - 1: its mean is 2 (m + 2) / (m + 4) - 1 = m / (m + 4). Below c = 1 / sqrt 2 the ray would go
-// below the surface, and is mirrored up: to the mean comes twice the integral of 1 - 2 c^2 there, 2^(1 - m/2) / (m + 4).
+// The normal's tilt a has cos a = (1 - u)^(1 / (m + 2)), so p(c) = (m + 2) c^(m + 1) on [0, 1]. A ray that comes along
+// the true normal leaves at 2 a, whose cosine is 2 c^2 - 1: its mean is 2 (m + 2) / (m + 4) - 1 = m / (m + 4). Below c
+// = 1 / sqrt 2 the ray would go below the surface, and is mirrored up: to the mean comes twice the integral of 1 - 2
+// c^2 there, 2^(1 - m/2) / (m + 4).
 double mean_cosine(double m) { return m / (m + 4) + std::pow(2, 1 - m / 2) / (m + 4); }
 
 TEST(Glossy, MeanCosineOfAMirroredRay) {
@@ -53,12 +54,14 @@ TEST(Glossy, TheHighlightIsBlinns) {
             for (std::uint32_t pixel = 0; pixel < 64; ++pixel) {
                 int inside = 0;
                 for (std::uint32_t s = 0; s < 256; ++s)
-                    inside += double(tilted_normal(surface, point_of(Pattern::random, {2, pixel, 0, s, 256})).y) > cosine;
+                    inside +=
+                        double(tilted_normal(surface, point_of(Pattern::random, {2, pixel, 0, s, 256})).y) > cosine;
                 parts.values.push_back(inside / 256.0);
             }
             // Mirrored back from beyond 45 degrees: a normal at 90 - a takes the place of one at a.
             const double other = std::sin(within * kPiD / 180);
-            expect_mean(parts, 1 - std::pow(cosine, m + 2) + std::pow(other, m + 2), 64 * 256, 0, fmt::format("m = {}, {} degrees", m, within));
+            expect_mean(parts, 1 - std::pow(cosine, m + 2) + std::pow(other, m + 2), 64 * 256, 0,
+                        fmt::format("m = {}, {} degrees", m, within));
         }
     }
 }
@@ -71,7 +74,8 @@ TEST(Glossy, AMirrorUnderASkyThatIsItsCosine) {
             "camera {{ location <0,1,0> direction -y right x*1e-3 up z*1e-3 }}\n"
             "light_source {{ <0,-1,0>, rgb 1 parallel point_at 0 shadowless }}\n"
             "sphere {{ 0, 1e5 pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }} }}\n"
-            "disc {{ 0, y, 0.01 pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 reflection 1 glossy {} }} }}\n", 1 / m));
+            "disc {{ 0, y, 0.01 pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 reflection 1 glossy {} }} }}\n",
+            1 / m));
         const Film film = render(scene, {.raster = {8, 8}, .samples = 256, .threads = 1});
         Replicas all;
         for (int i = 0; i < 64; ++i) all.values.push_back(film.at(i % 8, i / 8)[0]);
@@ -91,7 +95,8 @@ void expect_all_1(const std::string& text) {
     const Scene scene = staged(kFurnace + text);
     for (const Pattern pattern : {Pattern::random, Pattern::sobol}) {
         Residual residual;
-        const Film film = render(scene, {.raster = {24, 24}, .samples = 16, .pattern = pattern, .threads = 1}, &residual);
+        const Film film =
+            render(scene, {.raster = {24, 24}, .samples = 16, .pattern = pattern, .threads = 1}, &residual);
         double missing = 0;
         for (int y = 0; y < 24; ++y)
             for (int x = 0; x < 24; ++x) {
@@ -106,7 +111,8 @@ void expect_all_1(const std::string& text) {
 
 TEST(Furnace, ARoughMirrorLosesNothing) {
     for (const char* rough : {"1", "0.3", "0.01"}) {
-        const std::string mirror = fmt::format(" pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 reflection 1 glossy {} }} }}\n", rough);
+        const std::string mirror =
+            fmt::format(" pigment {{ rgb 0 }} finish {{ ambient 0 diffuse 0 reflection 1 glossy {} }} }}\n", rough);
         expect_all_1("sphere { 0, 1.5" + mirror);
         expect_all_1("plane { y, -1" + mirror);
         expect_all_1("torus { 1, 0.4 rotate 40*x" + mirror);
@@ -117,7 +123,9 @@ TEST(Furnace, ARoughMirrorLosesNothing) {
 TEST(Furnace, RoughGlassLosesNothing) {
     for (const char* rough : {"0.3", "0.01"}) {
         const std::string glass = fmt::format(
-            " pigment {{ rgbt <0,0,0,1> }} finish {{ ambient 0 diffuse 0 reflection {{ 0, 1 fresnel on }} conserve_energy glossy {} }} interior {{ ior 1.5 }} }}\n", rough);
+            " pigment {{ rgbt <0,0,0,1> }} finish {{ ambient 0 diffuse 0 reflection {{ 0, 1 fresnel on }} "
+            "conserve_energy glossy {} }} interior {{ ior 1.5 }} }}\n",
+            rough);
         // Rays that run along inside of a ball leave it after dozens of total reflections: those are pruned.
         expect_all_1("sphere { 0, 1.5" + glass);
         expect_all_1("box { -1, 1 rotate <20,35,0>" + glass);

@@ -16,22 +16,26 @@ double blur_of(double depth) { return kRadius * std::abs(kFocus - depth) / depth
 
 /// From -`half` to `half` of the plane in focus.
 std::string camera(double half, const std::string& more = "") {
-    return fmt::format("camera {{ location 0 direction z*{0} right x*{1} up y*{1} aperture {2} focal_point <0,0,{0}> {3} }}\n",
-                       kFocus, 2 * half, 4 * kRadius, more);
+    return fmt::format(
+        "camera {{ location 0 direction z*{0} right x*{1} up y*{1} aperture {2} focal_point <0,0,{0}> {3} }}\n", kFocus,
+        2 * half, 4 * kRadius, more);
 }
 
 TEST(Lens, AnEdgeOutOfFocusIsTheDiscsPartBesideALine) {
     for (const double depth : {1.5, 3.0, 6.0, 30.0}) {
         const double blur = blur_of(depth);
         for (const bool level : {false, true}) {
-            const Scene scene = staged(camera(2 * blur) + (level ? "box { <-999,-999,0>, <999,0,1e-4>" : "box { <-999,-999,0>, <0,999,1e-4>") +
-                                       fmt::format(" translate {}*z {} }}\n", depth, kGlows));
+            const Scene scene = staged(
+                camera(2 * blur) + (level ? "box { <-999,-999,0>, <999,0,1e-4>" : "box { <-999,-999,0>, <0,999,1e-4>") +
+                fmt::format(" translate {}*z {} }}\n", depth, kGlows));
             const Raster raster = level ? Raster{64, 16} : Raster{16, 64};
-            for (const Pattern pattern : {Pattern::random, Pattern::jittered, Pattern::multi_jittered, Pattern::sobol}) {
+            for (const Pattern pattern :
+                 {Pattern::random, Pattern::jittered, Pattern::multi_jittered, Pattern::sobol}) {
                 const Film film = render(scene, {.raster = raster, .samples = 64, .pattern = pattern, .threads = 1});
                 for (int i = 0; i < 16; ++i) {
                     Replicas line;
-                    for (int j = 0; j < 64; ++j) line.values.push_back(level ? film.at(j, 15 - i)[0] : film.at(i, j)[0]);
+                    for (int j = 0; j < 64; ++j)
+                        line.values.push_back(level ? film.at(j, 15 - i)[0] : film.at(i, j)[0]);
                     const double at = (i + 0.5) / 4 - 2;
                     expect_mean(line, mean_over([](double x) { return part_of_disc(-x); }, at, 0.25), 64 * 64, 0,
                                 fmt::format("depth {}, {} radii", depth, at));
@@ -46,7 +50,7 @@ TEST(Lens, AnEdgeOutOfFocusIsTheDiscsPartBesideALine) {
 struct SmallDisc {
     double depth, own;
     double seen_from() const { return own * kFocus / std::abs(kFocus - depth); }  ///< radius, on the lens
-    double rim() const { return own * kFocus / depth; }                          ///< radius, in the plane in focus
+    double rim() const { return own * kFocus / depth; }                           ///< radius, in the plane in focus
     Film picture(double half, int side, const std::string& more = "") const {
         return render(staged(camera(half, more) + fmt::format("disc {{ <0,0,{}>, z, {} {} }}\n", depth, own, kGlows)),
                       {.raster = {side, side}, .samples = 64, .threads = 1});
@@ -110,8 +114,10 @@ TEST(Lens, LargestBlurIsTheCirclesDiameter) {
     const Scene scene = staged(camera(2));
     const Raster raster{400, 400};  // 100 pixels a unit of the plane in focus
     for (const double depth : {1.0, 2.0, 6.0, 50.0})
-        EXPECT_NEAR(double(largest_blur_px(scene.camera, raster, Real(depth), Real(depth))), 200 * blur_of(depth), 1e-3);
-    EXPECT_NEAR(double(largest_blur_px(scene.camera, raster, Real(kFocus), std::numeric_limits<Real>::infinity())), 200 * kRadius, 1e-3);
+        EXPECT_NEAR(double(largest_blur_px(scene.camera, raster, Real(depth), Real(depth))), 200 * blur_of(depth),
+                    1e-3);
+    EXPECT_NEAR(double(largest_blur_px(scene.camera, raster, Real(kFocus), std::numeric_limits<Real>::infinity())),
+                200 * kRadius, 1e-3);
     EXPECT_EQ(largest_blur_px(scene.camera, raster, Real(kFocus), Real(kFocus)), 0);
     // As far as the lens' rays really go: from its rim through one point in focus.
     for (const double depth : {1.0, 6.0}) {
@@ -133,15 +139,17 @@ constexpr double kLength = 50, kNumber = 2, kAllowed = 0.03;
 
 Camera photographers(double focus) {
     const double image = kLength * focus / (focus - kLength);
-    return staged(fmt::format("camera {{ location 0 direction z*{} right x*36 up y*24 aperture {} focal_point <0,0,{}> }}\n", image,
-                              2 * kLength / kNumber, focus))
+    return staged(fmt::format(
+                      "camera {{ location 0 direction z*{} right x*36 up y*24 aperture {} focal_point <0,0,{}> }}\n",
+                      image, 2 * kLength / kNumber, focus))
         .camera;
 }
 const Raster kFilm{1200, 800};
 
 TEST(DepthOfField, EndsExactlyWhereTheBlurReachesACircleOfConfusion) {
     const double s = 2000, hyperfocal = kLength * kLength / (kNumber * kAllowed) + kLength;
-    const double nearest = s * (hyperfocal - kLength) / (hyperfocal + s - 2 * kLength), farthest = s * (hyperfocal - kLength) / (hyperfocal - s);
+    const double nearest = s * (hyperfocal - kLength) / (hyperfocal + s - 2 * kLength),
+                 farthest = s * (hyperfocal - kLength) / (hyperfocal - s);
     EXPECT_NEAR(hyperfocal, 41716.67, 0.005);
     EXPECT_NEAR(nearest, 1910.58, 0.005);
     EXPECT_NEAR(farthest, 2098.20, 0.005);
@@ -169,7 +177,8 @@ TEST(DepthOfField, FocusedAtTheHyperfocalDistanceReachesFromItsHalfToInfinity) {
     const double hyperfocal = kLength * kLength / (kNumber * kAllowed) + kLength;
     const Camera camera = photographers(hyperfocal);
     constexpr double kRounding = sizeof(Real) == 8 ? 1e-9 : 1e-3;
-    EXPECT_NEAR(double(largest_blur_px(camera, kFilm, Real(hyperfocal), std::numeric_limits<Real>::infinity())), 1, kRounding);
+    EXPECT_NEAR(double(largest_blur_px(camera, kFilm, Real(hyperfocal), std::numeric_limits<Real>::infinity())), 1,
+                kRounding);
     EXPECT_NEAR(double(largest_blur_px(camera, kFilm, Real(hyperfocal / 2), Real(hyperfocal))), 1, kRounding);
 }
 

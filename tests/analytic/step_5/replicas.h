@@ -38,11 +38,13 @@ struct Replicas {
     }
 };
 
-/// The mean is the truth, within nine times its standard error: with 64 replicas Student's t (63 degrees of freedom) goes
-/// beyond by chance once in 10^12, so a thousand of these fail once in 10^9. What happens seldom has no scatter when it
-/// does not happen: `samples` in all that each find 0 to 1 add 27 / samples, since e^-27 is 2e-12. `known` is how far the
-/// truth itself may be off (a lamp that is not quite at infinity), to which the rounding of pixels to floats is added.
-inline void expect_mean(const Replicas& found, double truth, double samples, double known = 0, const std::string& of = "") {
+/// The mean is the truth, within nine times its standard error: with 64 replicas Student's t (63 degrees of freedom)
+/// goes beyond by chance once in 10^12, so a thousand of these fail once in 10^9. What happens seldom has no scatter
+/// when it does not happen: `samples` in all that each find 0 to 1 add 27 / samples, since e^-27 is 2e-12. `known` is
+/// how far the truth itself may be off (a lamp that is not quite at infinity), to which the rounding of pixels to
+/// floats is added.
+inline void expect_mean(const Replicas& found, double truth, double samples, double known = 0,
+                        const std::string& of = "") {
     ASSERT_GE(found.values.size(), 64u);
     const double margin = 9 * found.standard_error() + 27 / samples + known + 1e-6 * std::max(1.0, std::abs(truth));
     EXPECT_TRUE(std::abs(found.mean() - truth) <= margin)

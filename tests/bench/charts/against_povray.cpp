@@ -23,9 +23,8 @@ Series ratios(const std::vector<WholeProgram>& programs, std::vector<double> Who
             means[round] += std::log(program.povray_s[round] / (program.*ours)[round]);
     }
     for (double& mean : means) mean = std::exp(mean / static_cast<double>(programs.size()));
-    series.points.push_back({.x = spread(means),
-                             .label = "geometric mean",
-                             .settings = fmt::format("of {} scenes", programs.size())});
+    series.points.push_back(
+        {.x = spread(means), .label = "geometric mean", .settings = fmt::format("of {} scenes", programs.size())});
     return series;
 }
 

@@ -18,8 +18,9 @@ namespace {
 /// An effect of step 5 and what POV-Ray has for it.
 struct Effect {
     std::string id, scene, title;
-    std::vector<std::pair<std::string, std::string>> povray_variants = {};  ///< of the scene: settings, and what stands in place of...
-    std::string replaced = "";  ///< ...this text, a regular expression
+    std::vector<std::pair<std::string, std::string>> povray_variants =
+        {};                        ///< of the scene: settings, and what stands in place of...
+    std::string replaced = "";     ///< ...this text, a regular expression
     std::vector<int> grids = {1};  ///< samples along each axis of a pixel, for each variant
     /// Slopes of the error of a picture with the number of samples, as theory has them (NOTES.md of step 5).
     std::string theory = "";
@@ -27,17 +28,45 @@ struct Effect {
 
 const std::vector<Effect>& effects() {
     static const std::vector<Effect> all{
-        {"edges", "edges", "Anti-aliasing", {}, "", {1, 2, 3, 4, 6, 8}, "random -0.5, jittered and Sobol -0.75 along edges"},
-        {"area_light", "soft_shadow", "Soft shadows",
-         {{"3 x 3", "3, 3 "}, {"5 x 5", "5, 5 "}, {"9 x 9", "9, 9 "}, {"5 x 5 jitter", "5, 5 jitter "},
-          {"9 x 9 adaptive 1", "9, 9 adaptive 1 "}, {"9 x 9 adaptive 1 jitter", "9, 9 adaptive 1 jitter "}, {"17 x 17 adaptive 2", "17, 17 adaptive 2 "}},
-         "17, 17 ", {1, 2, 3}, "random -0.5, others between -0.625 and -0.75: pixel and light are four dimensions"},
-        {"lens", "focus_middle", "Depth of field",
-         {{"blur_samples 8", "blur_samples 8 confidence 0.9 variance 0.01"}, {"blur_samples 20", "blur_samples 20 confidence 0.9 variance 0.001"},
-          {"blur_samples 50", "blur_samples 50 confidence 0.95 variance 0.0005"}, {"blur_samples 100", "blur_samples 100 confidence 0.99 variance 0.0001"},
-          {"blur_samples 200", "blur_samples 200 confidence 0.999 variance 0"}, {"blur_samples 500", "blur_samples 500 confidence 0.999 variance 0"}},
-         "blur_samples 200 confidence 0.999 variance 0", {1}, "random -0.5, others between -0.625 and -0.75: pixel and lens are four dimensions"},
-        {"motion", "moving_sphere", "Motion blur", {}, "", {}, "random -0.5, others between -0.67 and -0.75: pixel and time are three dimensions"},
+        {"edges",
+         "edges",
+         "Anti-aliasing",
+         {},
+         "",
+         {1, 2, 3, 4, 6, 8},
+         "random -0.5, jittered and Sobol -0.75 along edges"},
+        {"area_light",
+         "soft_shadow",
+         "Soft shadows",
+         {{"3 x 3", "3, 3 "},
+          {"5 x 5", "5, 5 "},
+          {"9 x 9", "9, 9 "},
+          {"5 x 5 jitter", "5, 5 jitter "},
+          {"9 x 9 adaptive 1", "9, 9 adaptive 1 "},
+          {"9 x 9 adaptive 1 jitter", "9, 9 adaptive 1 jitter "},
+          {"17 x 17 adaptive 2", "17, 17 adaptive 2 "}},
+         "17, 17 ",
+         {1, 2, 3},
+         "random -0.5, others between -0.625 and -0.75: pixel and light are four dimensions"},
+        {"lens",
+         "focus_middle",
+         "Depth of field",
+         {{"blur_samples 8", "blur_samples 8 confidence 0.9 variance 0.01"},
+          {"blur_samples 20", "blur_samples 20 confidence 0.9 variance 0.001"},
+          {"blur_samples 50", "blur_samples 50 confidence 0.95 variance 0.0005"},
+          {"blur_samples 100", "blur_samples 100 confidence 0.99 variance 0.0001"},
+          {"blur_samples 200", "blur_samples 200 confidence 0.999 variance 0"},
+          {"blur_samples 500", "blur_samples 500 confidence 0.999 variance 0"}},
+         "blur_samples 200 confidence 0.999 variance 0",
+         {1},
+         "random -0.5, others between -0.625 and -0.75: pixel and lens are four dimensions"},
+        {"motion",
+         "moving_sphere",
+         "Motion blur",
+         {},
+         "",
+         {},
+         "random -0.5, others between -0.67 and -0.75: pixel and time are three dimensions"},
         {"glossy", "glossy_floor", "Rough mirrors", {}, "", {}, "random -0.5"},
     };
     return all;
@@ -100,25 +129,32 @@ private:
         const TemporaryFolder temporary;
         const auto& folder = temporary.path();
         const auto scene = laboratory_.scene("5_distributed/" + effect.scene + ".pov");
-        const auto truth = load_averaged_reference(laboratory_.scene("references/5_distributed/" + effect.scene + ".exr"));
+        const auto truth =
+            load_averaged_reference(laboratory_.scene("references/5_distributed/" + effect.scene + ".exr"));
         const Picture picture{scene, truth.raster()};
         std::vector<Try> tries;
         std::vector<std::string> labels;
         const auto add_ours = [&](const std::string& name, std::vector<std::string> options) {
-            tries.push_back({raysteps_command(laboratory_.program("render-solution"), picture, folder, name + ".exr", options), folder / (name + ".exr")});
+            tries.push_back(
+                {raysteps_command(laboratory_.program("render-solution"), picture, folder, name + ".exr", options),
+                 folder / (name + ".exr")});
             labels.push_back(fmt::format("{}", fmt::join(options, " ")));
         };
         for (const Pattern& pattern : kPatterns)
             for (const int n : pattern.samples)
-                add_ours(fmt::format("{}-{}", pattern.option, n), {"--pattern", pattern.option, "--samples", std::to_string(n)});
+                add_ours(fmt::format("{}-{}", pattern.option, n),
+                         {"--pattern", pattern.option, "--samples", std::to_string(n)});
         const std::vector<double> errors{0.04, 0.02, 0.01, 0.005, 0.0025};
-        for (const double e : errors) add_ours(fmt::format("adaptive-{}", e), {"--pattern", "sobol", "--samples", "4096", "--error", fmt::format("{}", e)});
+        for (const double e : errors)
+            add_ours(fmt::format("adaptive-{}", e),
+                     {"--pattern", "sobol", "--samples", "4096", "--error", fmt::format("{}", e)});
         const std::size_t first_povray = tries.size();
         add_povray(effect, picture, folder, tries, labels);
         const std::size_t first_frame = tries.size();
         const auto tried = laboratory_.try_all(tries, laboratory_.long_rounds());
         const auto point = [&](std::size_t i) {
-            return Point{.x = tried[i].cpu_s, .y = picture_error(tried[i].image, truth), .label = "", .settings = labels[i]};
+            return Point{
+                .x = tried[i].cpu_s, .y = picture_error(tried[i].image, truth), .label = "", .settings = labels[i]};
         };
         std::size_t next = 0;
         for (const Pattern& pattern : kPatterns) {
@@ -127,7 +163,8 @@ private:
             Series samples = series;
             if (made.by_time.empty())  // the solution's way, beside whose points the student's stand
                 for (std::size_t k = 0; k < pattern.samples.size(); ++k)
-                    if (const int n = pattern.samples[k]; n == 4 || n == 16 || n == 64) series.points[k].label = fmt::format("{} samples", n);
+                    if (const int n = pattern.samples[k]; n == 4 || n == 16 || n == 64)
+                        series.points[k].label = fmt::format("{} samples", n);
             for (std::size_t k = 0; k < pattern.samples.size(); ++k) samples.points[k].x = exactly(pattern.samples[k]);
             const double slope = slope_of(samples.points, pattern.samples);
             samples.name = fmt::format("{} (slope {:.2f})", pattern.name, slope);
@@ -144,8 +181,8 @@ private:
         compare(effect, made);
     }
 
-    void add_povray(const Effect& effect, const Picture& picture, const std::filesystem::path& folder, std::vector<Try>& tries,
-                    std::vector<std::string>& labels) const {
+    void add_povray(const Effect& effect, const Picture& picture, const std::filesystem::path& folder,
+                    std::vector<Try>& tries, std::vector<std::string>& labels) const {
         auto variants = effect.povray_variants;
         if (variants.empty()) variants.push_back({"", ""});
         int number = 0;
@@ -165,12 +202,15 @@ private:
                 if (grid > 1) options.insert(options.end(), {"+AM1", "+A0.0", fmt::format("+R{}", grid), "-J"});
                 const std::string output = fmt::format("povray-{}.exr", number++);
                 tries.push_back({povray_command(variant, folder, output, options), folder / output});
-                labels.push_back(fmt::format("POV-Ray {}{}", name, grid > 1 ? fmt::format(" +AM1 +A0.0 +R{}", grid) : " -A"));
+                labels.push_back(
+                    fmt::format("POV-Ray {}{}", name, grid > 1 ? fmt::format(" +AM1 +A0.0 +R{}", grid) : " -A"));
             }
     }
 
-    /// The mean of the first frames of an averaged reference of that many: each is a whole process, as it is for whoever does that.
-    Series frames_of_povray(const Picture& picture, const std::filesystem::path& folder, const AveragedReference& truth) const {
+    /// The mean of the first frames of an averaged reference of that many: each is a whole process, as it is for
+    /// whoever does that.
+    Series frames_of_povray(const Picture& picture, const std::filesystem::path& folder,
+                            const AveragedReference& truth) const {
         Series series{.name = "mean of POV-Ray's frames", .role = "povray", .joined = true};
         for (const int count : {8, 16, 32, kMostFrames}) {
             std::vector<RgbImage> frames;
@@ -180,7 +220,10 @@ private:
                 seconds += run_or_throw(povray_command(picture, folder, output, frame_declarations(k, count))).cpu_s;
                 frames.push_back(load_rgb_exr(folder / output));
             }
-            series.points.push_back({.x = exactly(seconds), .y = picture_error(mean_of(frames, frames.size()), truth), .label = "", .settings = fmt::format("{} frames", count)});
+            series.points.push_back({.x = exactly(seconds),
+                                     .y = picture_error(mean_of(frames, frames.size()), truth),
+                                     .label = "",
+                                     .settings = fmt::format("{} frames", count)});
         }
         return series;
     }
@@ -204,10 +247,12 @@ private:
                 how = series.name;
             }
             if (!(mine > 0)) continue;
-            made.at_errors.push_back({.x = {best->x.median / mine, best->x.low / mine, best->x.high / mine},
-                                      .label = fmt::format("{}, error {}", effect.title, error),
-                                      .settings = fmt::format("POV-Ray reaches {:.2g} in {:.3g} s ({}), Raysteps in {:.3g} s of processor time ({})",
-                                                              best->y, best->x.median, best->settings, mine, how)});
+            made.at_errors.push_back(
+                {.x = {best->x.median / mine, best->x.low / mine, best->x.high / mine},
+                 .label = fmt::format("{}, error {}", effect.title, error),
+                 .settings =
+                     fmt::format("POV-Ray reaches {:.2g} in {:.3g} s ({}), Raysteps in {:.3g} s of processor time ({})",
+                                 best->y, best->x.median, best->settings, mine, how)});
         }
     }
     /// Negative where the series does not reach.
@@ -239,9 +284,11 @@ Chart by_time(Laboratory& laboratory, const std::string& id) {
     return {.id = "5." + id + ".time",
             .step = 5,
             .title = effect.title + ": error against time",
-            .text = fmt::format("{}, 96 x 72 pixels, whole processes, one thread. Errors are differences to the mean of many deterministic frames "
-                                "by POV-Ray, the standard error of which has been taken away. Adaptive: --error 0.04 to 0.0025.",
-                                effect.scene),
+            .text = fmt::format(
+                "{}, 96 x 72 pixels, whole processes, one thread. Errors are differences to the mean of many "
+                "deterministic frames "
+                "by POV-Ray, the standard error of which has been taken away. Adaptive: --error 0.04 to 0.0025.",
+                effect.scene),
             .x = {"processor time of the whole process", "s", true},
             .y = {"error of the picture", "of its RMS", true},
             .front = true,
@@ -251,16 +298,18 @@ Chart by_time(Laboratory& laboratory, const std::string& id) {
 
 Chart by_samples(Laboratory& laboratory, const std::string& id) {
     const Effect& effect = effect_named(id);
-    return {.id = "5." + id + ".samples",
-            .step = 5,
-            .title = effect.title + ": error against samples",
-            .text = fmt::format("{}, 96 x 72 pixels. Slopes are fitted from 16 samples on; theory: {}. A picture has flat parts, edges and "
-                                "penumbrae: its slope lies between theirs.",
-                                effect.scene, effect.theory),
-            .x = {"samples a pixel", "", true},
-            .y = {"error of the picture", "of its RMS", true},
-            .series = effects_of(laboratory).of(effect).by_samples,
-            .rounds = laboratory.long_rounds()};
+    return {
+        .id = "5." + id + ".samples",
+        .step = 5,
+        .title = effect.title + ": error against samples",
+        .text = fmt::format(
+            "{}, 96 x 72 pixels. Slopes are fitted from 16 samples on; theory: {}. A picture has flat parts, edges and "
+            "penumbrae: its slope lies between theirs.",
+            effect.scene, effect.theory),
+        .x = {"samples a pixel", "", true},
+        .y = {"error of the picture", "of its RMS", true},
+        .series = effects_of(laboratory).of(effect).by_samples,
+        .rounds = laboratory.long_rounds()};
 }
 
 }  // namespace
@@ -286,9 +335,12 @@ Chart to_reach_an_error(Laboratory& laboratory) {
             .step = 5,
             .kind = ChartKind::ratios,
             .title = "To reach the same error",
-            .text = "POV-Ray's processor time over ours for errors of 0.03, 0.02 and 0.01 of the picture's RMS: the quickest of its methods and "
-                    "settings on the charts above that reaches them, and our quickest for the error that it reached, between the points of a "
-                    "curve. Whole processes of 96 x 72 pixels: where both are quick, it is their starts that are compared.",
+            .text =
+                "POV-Ray's processor time over ours for errors of 0.03, 0.02 and 0.01 of the picture's RMS: the "
+                "quickest of its methods and "
+                "settings on the charts above that reaches them, and our quickest for the error that it reached, "
+                "between the points of a "
+                "curve. Whole processes of 96 x 72 pixels: where both are quick, it is their starts that are compared.",
             .x = {"POV-Ray's time / ours", "", true},
             .series = {ratios},
             .rounds = laboratory.long_rounds()};

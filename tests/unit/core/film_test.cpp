@@ -94,7 +94,8 @@ std::vector<float> channels_of(const fs::path& path, int width, int height) {
     Imf::FrameBuffer frame;
     const char* const names[] = {"R", "G", "B"};
     for (std::size_t c = 0; c < 3; ++c)
-        frame.insert(names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data() + c), 3 * sizeof(float), std::size_t(width) * 3 * sizeof(float)));
+        frame.insert(names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data() + c), 3 * sizeof(float),
+                                          std::size_t(width) * 3 * sizeof(float)));
     file.setFrameBuffer(frame);
     file.readPixels(0, height - 1);
     return values;
@@ -102,7 +103,8 @@ std::vector<float> channels_of(const fs::path& path, int width, int height) {
 
 TEST(LargeFilm, BeginsBlackOnItsOwnPagesAndIsCopiedAndMovedAsOthersAre) {
     Film film({449, 439});
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(&film.at(0, 0)) % (2 << 20), 0u) << "large pages begin at multiples of 2 MiB";
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(&film.at(0, 0)) % (2 << 20), 0u)
+        << "large pages begin at multiples of 2 MiB";
     for (int y = 0; y < 439; ++y)
         for (int x = 0; x < 449; ++x) ASSERT_TRUE(film.at(x, y).is_black());
     film = large_film();
@@ -138,7 +140,8 @@ TEST_F(FilmFile, LargePicturesKeepEveryFloat) {
     const Film film = large_film();
     for (int y = 0; y < 439; ++y)
         for (int x = 0; x < 449; ++x)
-            for (int c = 0; c < 3; ++c) ASSERT_EQ(read[(std::size_t(y) * 449 + std::size_t(x)) * 3 + std::size_t(c)], film.at(x, y)[c]);
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(read[(std::size_t(y) * 449 + std::size_t(x)) * 3 + std::size_t(c)], film.at(x, y)[c]);
 }
 
 /// A disk without room, for the name under which a picture is written first.

@@ -64,7 +64,8 @@ TEST(QueryLog, ABranchKnowsItsKindItsWeightAndWhatItBrought) {
     }
     query_log = nullptr;
     ASSERT_EQ(log.queries.size(), 4u);
-    const auto& [camera, mirror, shadow, refracted] = std::tie(log.queries[0], log.queries[1], log.queries[2], log.queries[3]);
+    const auto& [camera, mirror, shadow, refracted] =
+        std::tie(log.queries[0], log.queries[1], log.queries[2], log.queries[3]);
     EXPECT_EQ(mirror.kind, "reflected");
     EXPECT_EQ(mirror.parent, 0);
     EXPECT_EQ(mirror.depth, 1);
@@ -78,7 +79,8 @@ TEST(QueryLog, ABranchKnowsItsKindItsWeightAndWhatItBrought) {
     EXPECT_NE(log.to_text().find("\n  refracted ray from"), std::string::npos) << log.to_text();
     EXPECT_NE(log.to_text().find("not traced"), std::string::npos) << log.to_text();
     EXPECT_EQ(log.residual(), 0.001f);
-    EXPECT_NE(log.to_text().find("residual: rays that were not traced weigh 0.001"), std::string::npos) << log.to_text();
+    EXPECT_NE(log.to_text().find("residual: rays that were not traced weigh 0.001"), std::string::npos)
+        << log.to_text();
     EXPECT_NE(log.to_json().find("\"residual\":0.001"), std::string::npos) << log.to_json();
     EXPECT_NE(log.to_json().find("\"weight\":0.25,\"pruned\":false"), std::string::npos) << log.to_json();
 }

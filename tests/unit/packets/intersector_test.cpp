@@ -163,7 +163,8 @@ TEST(PacketIntersectors, MissWhatIsNoRay) {
         const Hits hits = intersector.nearest(together(rays), Mask::of(kAllLanes), {Reals(1e-4), Reals(1e7)});
         Suspects suspects(1);
         const unsigned blocked =
-            intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(1e-3), Reals(1e7)}, kOneObject, suspects).bits();
+            intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(1e-3), Reals(1e7)}, kOneObject, suspects)
+                .bits();
         for (std::size_t i = 0; i < kLanes; ++i) {
             EXPECT_TRUE(same(hit_of(hits, int(i)), intersector.single().nearest(rays[i], {Real(1e-4), Real(1e7)})))
                 << text(rays[i], {});
@@ -180,11 +181,16 @@ TEST(PacketIntersectors, NobodyAsksNobodyIsAnswered) {
     rays.fill({{0, 3, -5}, glm::normalize(Vec3(0, Real(-0.6), 1))});
     Suspects suspects(1);
     EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}).are, 0u);
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}, kOneObject, suspects).any());
-    EXPECT_FALSE(intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(-1.0)}, kOneObject, suspects).any())
+    EXPECT_FALSE(
+        intersector.occluded(together(rays), Mask::of(0), {Reals(0.0), Reals(100.0)}, kOneObject, suspects).any());
+    EXPECT_FALSE(
+        intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(-1.0)}, kOneObject, suspects)
+            .any())
         << "an empty range";
     EXPECT_FALSE(
-        intersector.occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(std::nan(""))}, kOneObject, suspects).any());
+        intersector
+            .occluded(together(rays), Mask::of(kAllLanes), {Reals(0.0), Reals(std::nan(""))}, kOneObject, suspects)
+            .any());
     EXPECT_EQ(intersector.nearest(together(rays), Mask::of(0b1), {Reals(0.0), Reals(100.0)}).are, 1u) << "one ray";
 }
 

@@ -118,15 +118,16 @@ TEST(PacketObstacles, RaysTogetherArePassedOnOnlyForSomethingClear) {
 }
 
 TEST(PacketObstacles, WhatIsOpaqueBlocksUnlessSomethingClearIsJustBefore) {
-    // A wall. Before its right half are clear discs that almost touch it: behind them a shadow ray passes over the wall.
-    // What else there is makes many leaves, so that the wall is asked before or after the discs.
+    // A wall. Before its right half are clear discs that almost touch it: behind them a shadow ray passes over the
+    // wall. What else there is makes many leaves, so that the wall is asked before or after the discs.
     int asked_first = 0;
     for (int seed = 0; seed < 30; ++seed) {
-        const Scene scene = staged(fmt::format(
-            "#declare S = seed({});\n box {{ <-20, -20, 5>, <20, 20, 6> }}\n"
-            "#for (I, 4, 7) disc {{ <I, 0, 4.9995>, z, 0.3 pigment {{ rgbt 0.5 }} }} #end\n"
-            "#for (I, 0, 7) disc {{ <I, 0, 3>, z, 0.3 pigment {{ rgbt 0.5 }} }} #end\n"
-            "#for (I, 1, 100) sphere {{ <rand(S) * 30 - 15, rand(S) * 20 + 2, rand(S) * 20>, 0.3 }} #end\n", seed));
+        const Scene scene = staged(
+            fmt::format("#declare S = seed({});\n box {{ <-20, -20, 5>, <20, 20, 6> }}\n"
+                        "#for (I, 4, 7) disc {{ <I, 0, 4.9995>, z, 0.3 pigment {{ rgbt 0.5 }} }} #end\n"
+                        "#for (I, 0, 7) disc {{ <I, 0, 3>, z, 0.3 pigment {{ rgbt 0.5 }} }} #end\n"
+                        "#for (I, 1, 100) sphere {{ <rand(S) * 30 - 15, rand(S) * 20 + 2, rand(S) * 20>, 0.3 }} #end\n",
+                        seed));
         const PacketIntersector intersector(scene);
         Lanes<Ray> rays;
         for (std::size_t i = 0; i < kLanes; ++i) rays[i] = {{Real(i), Real(0), 0}, {0, 0, 1}};

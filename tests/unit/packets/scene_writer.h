@@ -77,32 +77,27 @@ private:
                            maybe(5, "metallic"));
     }
     std::string texture() {
-        return fmt::format("{} finish {{ ambient {} diffuse {}{}{}{}{}{}{}{} }}{}{}", pigment(),
-                           pick({"0", "0.1", "rgb <0.1, 0.2, 0.3>"}), pick({"0", "0.6", "0.9"}),
-                           maybe(4, "brilliance " + pick({"2", "0.5", "0"})), maybe(6, "emission rgb " + vector(0, 0.3)),
-                           maybe(3, fmt::format("phong {} phong_size {}", number(0.1, 1), number(1, 120))),
-                           maybe(3, fmt::format("specular {} roughness {}", number(0.1, 1), number(0.005, 0.5))),
-                           maybe(5, "metallic"), maybe(2, mirror()), maybe(4, "conserve_energy"),
-                           maybe(2, "interior { " + pick({"M1", "M2", "ior 1.33", "ior 0.8", "ior 1"}) + " }"),
-                           maybe(8, "no_shadow"));
+        return fmt::format(
+            "{} finish {{ ambient {} diffuse {}{}{}{}{}{}{}{} }}{}{}", pigment(),
+            pick({"0", "0.1", "rgb <0.1, 0.2, 0.3>"}), pick({"0", "0.6", "0.9"}),
+            maybe(4, "brilliance " + pick({"2", "0.5", "0"})), maybe(6, "emission rgb " + vector(0, 0.3)),
+            maybe(3, fmt::format("phong {} phong_size {}", number(0.1, 1), number(1, 120))),
+            maybe(3, fmt::format("specular {} roughness {}", number(0.1, 1), number(0.005, 0.5))), maybe(5, "metallic"),
+            maybe(2, mirror()), maybe(4, "conserve_energy"),
+            maybe(2, "interior { " + pick({"M1", "M2", "ior 1.33", "ior 0.8", "ior 1"}) + " }"), maybe(8, "no_shadow"));
     }
     std::string shape() {
         switch (below(11)) {
             case 0:
             case 1:
-            case 2:
-                return fmt::format("sphere {{ {}, {}", vector(-2, 2), number(0.3, 1.4));
-            case 3:
-                return fmt::format("box {{ {}, {}", vector(-2, -0.2), vector(0.2, 1));
+            case 2: return fmt::format("sphere {{ {}, {}", vector(-2, 2), number(0.3, 1.4));
+            case 3: return fmt::format("box {{ {}, {}", vector(-2, -0.2), vector(0.2, 1));
             case 4:
                 return fmt::format("cone {{ {}, {}, {}, {}{}", vector(-2, 0), number(0.2, 1), vector(0.2, 2),
                                    number(0, 0.5), maybe(2, "open"));
-            case 5:
-                return fmt::format("cylinder {{ {}, {}, {}", vector(-2, 0), vector(0.2, 2), number(0.1, 0.8));
-            case 6:
-                return fmt::format("torus {{ {}, {} rotate {}", number(0.7, 1.6), number(0.1, 0.4), vector(0, 360));
-            case 7:
-                return fmt::format("disc {{ {}, {}, 1.5, 0.4", vector(-1, 1), vector(0.1, 1));
+            case 5: return fmt::format("cylinder {{ {}, {}, {}", vector(-2, 0), vector(0.2, 2), number(0.1, 0.8));
+            case 6: return fmt::format("torus {{ {}, {} rotate {}", number(0.7, 1.6), number(0.1, 0.4), vector(0, 360));
+            case 7: return fmt::format("disc {{ {}, {}, 1.5, 0.4", vector(-1, 1), vector(0.1, 1));
             case 8:
                 return fmt::format("smooth_triangle {{ {}, <0.2, 0.3, -1>, {}, <1, 0.3, -1>, {}, <-1, 0.2, -0.5>",
                                    vector(-2, 0), vector(0, 2), vector(-1, 2));
@@ -111,8 +106,7 @@ private:
                     "quadric {{ <1, 1, 0.5>, <0.2, 0, 0>, <0, 0, 0>, -1 clipped_by {{ box {{ -1.2, 1.2 }} }} translate "
                     "{}",
                     vector(-1, 1));
-            default:
-                break;
+            default: break;
         }
         const std::string a = vector(-2, 0), b = vector(0, 2), c = vector(-1, 2), d = vector(-2, 2);
         return fmt::format(

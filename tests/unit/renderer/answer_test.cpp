@@ -30,9 +30,10 @@ TEST(Answer, NearestAndMiss) {
 }
 
 TEST(Answer, EveryQueryGetsOneLineWhateverHappens) {
-    const auto lines = ask("nearest 0 0 0 0 0 1 0 1\n" + scene("sphere { 0, 1") + "nearest 0 0 -5 0 0 1 0 9\n" +
-                           scene("sphere { 0, 1 }") + "nearest 0 0\nroot 7 0 0 0 0 0 1 0 1\nfly 1 2 3\nnearest a b c d e f g h\n" +
-                           "nearest nan inf 1e-320 0 0 0 0 inf\n");
+    const auto lines =
+        ask("nearest 0 0 0 0 0 1 0 1\n" + scene("sphere { 0, 1") + "nearest 0 0 -5 0 0 1 0 9\n" +
+            scene("sphere { 0, 1 }") + "nearest 0 0\nroot 7 0 0 0 0 0 1 0 1\nfly 1 2 3\nnearest a b c d e f g h\n" +
+            "nearest nan inf 1e-320 0 0 0 0 inf\n");
     ASSERT_EQ(lines.size(), 7u);
     EXPECT_EQ(lines[0], "error no scene");
     for (int i = 1; i < 6; ++i) EXPECT_TRUE(lines[std::size_t(i)].starts_with("error ")) << lines[std::size_t(i)];
@@ -87,7 +88,8 @@ TEST(Answer, ASceneMayHoldAnyBytes) {
 }
 
 TEST(Answer, PointsGoAlongWhatIsAsked) {
-    const auto lines = ask(scene("sphere { 0, 1 }") + "points random 1 2 3 0 8 sample 4 pixel 2\n" + "points random 1 3 3 2 8 nothing 1 nothing 1\n");
+    const auto lines = ask(scene("sphere { 0, 1 }") + "points random 1 2 3 0 8 sample 4 pixel 2\n" +
+                           "points random 1 3 3 2 8 nothing 1 nothing 1\n");
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(std::count(lines[0].begin(), lines[0].end(), ' '), 15) << "4 samples of 2 pixels";
     EXPECT_NE(lines[0].find(lines[1]), std::string::npos) << "sample 2 of the second pixel is among them";
@@ -101,13 +103,27 @@ TEST(Answer, AGridIsTheCentresOfItsCells) {
 }
 
 TEST(Answer, TooMuchOrTooOddIsAnError) {
-    for (const char* query :
-         {"points sobol 1 2 3 0 8192 sample 8192 nothing 1", "points sobol 1 2 3 0 4096 sample 4096 pixel 2", "points sobol -1 0 0 0 1 nothing 1 nothing 1",
-          "points sobol 1e30 0 0 0 1 nothing 1 nothing 1", "points sobol nan 0 0 0 1 nothing 1 nothing 1", "points sobol 1 0 0 5 5 nothing 1 nothing 1",
-          "points halton 1 0 0 0 1 nothing 1 nothing 1", "points sobol 1 0 0 0 1 backwards 1 nothing 1", "points sobol 1 0 0 0 8 sample 9 nothing 1",
-          "disc grid 0 4 0", "disc grid 100 100 0", "disc 0.5", "polygon 2 0.5 0.5 0", "filter gauss 0 0 0", "lens_ray 0 10 0 0 0 0 0.5 0.5 0",
-          "light_at 0 0.5 0.5 0", "value_at 0 1 0 1 0.5", "tilt 0 0 0 -1 0 0 -1 0 0 -1 0.5 0.5 0", "is_enough 0 1 9 0 0 0 0 0 0 0 0 0", "dimensions 2000 1",
-          "standard_error -4 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0"}) {
+    for (const char* query : {"points sobol 1 2 3 0 8192 sample 8192 nothing 1",
+                              "points sobol 1 2 3 0 4096 sample 4096 pixel 2",
+                              "points sobol -1 0 0 0 1 nothing 1 nothing 1",
+                              "points sobol 1e30 0 0 0 1 nothing 1 nothing 1",
+                              "points sobol nan 0 0 0 1 nothing 1 nothing 1",
+                              "points sobol 1 0 0 5 5 nothing 1 nothing 1",
+                              "points halton 1 0 0 0 1 nothing 1 nothing 1",
+                              "points sobol 1 0 0 0 1 backwards 1 nothing 1",
+                              "points sobol 1 0 0 0 8 sample 9 nothing 1",
+                              "disc grid 0 4 0",
+                              "disc grid 100 100 0",
+                              "disc 0.5",
+                              "polygon 2 0.5 0.5 0",
+                              "filter gauss 0 0 0",
+                              "lens_ray 0 10 0 0 0 0 0.5 0.5 0",
+                              "light_at 0 0.5 0.5 0",
+                              "value_at 0 1 0 1 0.5",
+                              "tilt 0 0 0 -1 0 0 -1 0 0 -1 0.5 0.5 0",
+                              "is_enough 0 1 9 0 0 0 0 0 0 0 0 0",
+                              "dimensions 2000 1",
+                              "standard_error -4 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0"}) {
         const auto lines = ask(scene("sphere { 0, 1 }") + query + "\n");
         ASSERT_EQ(lines.size(), 1u) << query;
         EXPECT_TRUE(lines[0].starts_with("error ")) << query << ": " << lines[0];

@@ -18,7 +18,8 @@ Film picture(Scene scene) {
 }
 
 /// Shows every effect of the steps built so far, each on some pixel.
-const std::string kEverything = tests::kHead +
+const std::string kEverything =
+    tests::kHead +
     "light_source { <3,5,-4> rgb 0.5 fade_distance 6 fade_power 2 }\n"
     "light_source { <-4,6,-3> rgb 0.5 spotlight point_at <-1,0,0> radius 10 falloff 20 tightness 2 }\n"
     "light_source { <0,9,-9> rgb 0.3 parallel point_at <0,0,0> }\n"
@@ -33,7 +34,8 @@ const std::string kEverything = tests::kHead +
     "  finish { ambient 0 diffuse 0.1 reflection { 0.7 metallic } reflection_exponent 1.5 } }\n";
 
 /// And every effect of step 5.
-const std::string kDistributed = tests::kHead +
+const std::string kDistributed =
+    tests::kHead +
     "camera { location <0,2,-6> direction z*1.5 right x*4/3 up y aperture 0.5 focal_point <0,2,0> }\n"
     "light_source { <3,5,-4> rgb 1 area_light <2,0,0>, <0,0,2>, 4, 4 }\n"
     "sphere { <-1 + 2 * Time,1,0>, 1 pigment { rgb <1,0.5,0.2> } finish { ambient 0.1 diffuse 0.6 phong 0.5 } }\n"
@@ -79,9 +81,11 @@ TEST(Needs, EffectsOfNoSizeAreNotModelled) {
         return scene;
     };
     const Scene plain = staged(camera + "}\nlight_source { <30,50,-40> rgb 1 }\n");
-    const Scene small = staged(camera + "aperture 0.001 }\nlight_source { <30,50,-40> rgb 1 area_light x*0.001, y*0.001, 4, 4 }\n");
+    const Scene small =
+        staged(camera + "aperture 0.001 }\nlight_source { <30,50,-40> rgb 1 area_light x*0.001, y*0.001, 4, 4 }\n");
     const Scene none = staged(camera + "aperture 0 }\nlight_source { <30,50,-40> rgb 1 area_light 0, 0, 4, 4 }\n");
-    const Scene large = staged(camera + "aperture 0.5 }\nlight_source { <30,50,-40> rgb 1 area_light x*9, y*9, 4, 4 }\n");
+    const Scene large =
+        staged(camera + "aperture 0.5 }\nlight_source { <30,50,-40> rgb 1 area_light x*9, y*9, 4, 4 }\n");
     EXPECT_FALSE(is_distributed(small, {}));
     EXPECT_FALSE(is_distributed(none, {}));
     EXPECT_TRUE(same_bytes(picture(plain), picture(small)));
@@ -122,24 +126,27 @@ bool needs(const Scene& scene, const char* name) {
 
 TEST(Needs, WhatOnlyLooksLikeGlassNeedsNoneOfIt) {
     // An opaque ball with an index and a fade, a mirror of strength nothing, a clear ball that casts no shadow.
-    const Scene scene = read_scene_text(
-        tests::kBallOnFloor +
-            "sphere { <2,1,0>, 1 pigment { rgb 1 } interior { ior 1.5 fade_distance 1 fade_power 2 fade_color rgb 0.5 } }\n"
-            "sphere { <-2,1,0>, 1 pigment { rgb 1 } finish { reflection { 0 fresnel on metallic } conserve_energy } }\n",
-        "looks");
+    const Scene scene = read_scene_text(tests::kBallOnFloor +
+                                            "sphere { <2,1,0>, 1 pigment { rgb 1 } interior { ior 1.5 fade_distance 1 "
+                                            "fade_power 2 fade_color rgb 0.5 } }\n"
+                                            "sphere { <-2,1,0>, 1 pigment { rgb 1 } finish { reflection { 0 fresnel on "
+                                            "metallic } conserve_energy } }\n",
+                                        "looks");
     for (const char* name : {"reflection", "transparency", "refraction", "absorption", "fresnel", "conserve_energy",
                              "metallic_reflection", "reflection_exponent", "filtered_shadows"})
         EXPECT_FALSE(needs(scene, name)) << name;
 }
 
 TEST(Needs, TheDefaultFadeColourTakesNothing) {
-    const std::string glass = tests::kBallOnFloor + "sphere { <2,1,0>, 1 pigment { rgbt 1 } interior { fade_distance 1 ";
+    const std::string glass =
+        tests::kBallOnFloor + "sphere { <2,1,0>, 1 pigment { rgbt 1 } interior { fade_distance 1 ";
     EXPECT_TRUE(needs(read_scene_text(glass + "fade_power 2 fade_color rgb 0.5 } }", "fade"), "absorption"));
     EXPECT_FALSE(needs(read_scene_text(glass + "fade_power 2 fade_color rgb 1 } }", "fade"), "absorption"));
 }
 
 TEST(Needs, ClearThingsWithoutAShadowFilterNone) {
-    Scene scene = read_scene_text(tests::kBallOnFloor + "sphere { <1,2,-1>, 0.5 pigment { rgbt 0.7 } no_shadow }", "clear");
+    Scene scene =
+        read_scene_text(tests::kBallOnFloor + "sphere { <1,2,-1>, 0.5 pigment { rgbt 0.7 } no_shadow }", "clear");
     EXPECT_TRUE(needs(scene, "transparency"));
     EXPECT_FALSE(needs(scene, "filtered_shadows"));
     prepare(scene);
@@ -149,11 +156,11 @@ TEST(Needs, ClearThingsWithoutAShadowFilterNone) {
 }
 
 TEST(Needs, DroppingKeepsThePictureOfGlassThatHasWordsWithoutEffect) {
-    Scene lean = read_scene_text(
-        tests::kBallOnFloor +
-            "sphere { <0.7,1,-2>, 0.6 pigment { rgbf <0.5,0.7,0.9,0.8> } finish { reflection { 0 fresnel on } conserve_energy }\n"
-            "  interior { ior 1.3 fade_distance 1 fade_power 2 fade_color rgb 1 } }\n",
-        "words");
+    Scene lean = read_scene_text(tests::kBallOnFloor +
+                                     "sphere { <0.7,1,-2>, 0.6 pigment { rgbf <0.5,0.7,0.9,0.8> } finish { reflection "
+                                     "{ 0 fresnel on } conserve_energy }\n"
+                                     "  interior { ior 1.3 fade_distance 1 fade_power 2 fade_color rgb 1 } }\n",
+                                 "words");
     const Film full = picture(lean);
     drop_what_is_not_needed(lean);
     EXPECT_EQ(lean.interiors[0].fade_distance, 0);
@@ -175,9 +182,7 @@ TEST(Needs, ALaterStepIsRefusedByName) {
     EXPECT_NO_THROW(require_built(plain));
 }
 
-TEST(Needs, MirrorsAndGlassAreBuilt) {
-    EXPECT_NO_THROW(require_built(read_scene_text(kEverything, "everything")));
-}
+TEST(Needs, MirrorsAndGlassAreBuilt) { EXPECT_NO_THROW(require_built(read_scene_text(kEverything, "everything"))); }
 
 TEST(Needs, AnUnknownEffectIsRefusedWithTheListOfKnownOnes) {
     Scene scene;

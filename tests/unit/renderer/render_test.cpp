@@ -97,8 +97,8 @@ TEST(Render, ProgressEndsAtOne) {
 }
 
 const std::string kMirrorRoom = tests::kBallOnFloor +
-    "plane { -z, -4 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 0.9 } } }\n"
-    "plane { z, -6 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 0.9 } } }\n";
+                                "plane { -z, -4 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 0.9 } } }\n"
+                                "plane { z, -6 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 0.9 } } }\n";
 
 TEST(Residual, IsTheWeightOfWhatWasNotTraced) {
     Scene scene = staged(kMirrorRoom);

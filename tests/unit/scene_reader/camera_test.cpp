@@ -119,14 +119,18 @@ TEST(CameraReader, ApertureBladesAndShutterAreOurOwnWords) {
     EXPECT_EQ(camera.shutter_open, Real(0.25));
     EXPECT_EQ(camera.shutter_close, Real(0.75));
     EXPECT_TRUE(near(camera.location, {0, 1, 0}));
-    const Camera usual = scene_of("#declare shutter = 3; #declare aperture_blades = y; camera { location shutter*aperture_blades }").camera;
+    const Camera usual =
+        scene_of("#declare shutter = 3; #declare aperture_blades = y; camera { location shutter*aperture_blades }")
+            .camera;
     EXPECT_TRUE(near(usual.location, {0, 3, 0}));
     EXPECT_EQ(usual.aperture_blades, 0);
     EXPECT_EQ(usual.shutter_close, 1);
     for (const char* wrong : {"shutter 0.5, 0.4", "shutter -0.1, 1", "shutter 0, 1.5"})
-        EXPECT_NE(error_of(std::string("camera { ") + wrong + " }").find("shutter opens and closes"), std::string::npos) << wrong;
+        EXPECT_NE(error_of(std::string("camera { ") + wrong + " }").find("shutter opens and closes"), std::string::npos)
+            << wrong;
     for (const char* wrong : {"aperture_blades 2", "aperture_blades 65"})
-        EXPECT_NE(error_of(std::string("camera { ") + wrong + " }").find("aperture_blades"), std::string::npos) << wrong;
+        EXPECT_NE(error_of(std::string("camera { ") + wrong + " }").find("aperture_blades"), std::string::npos)
+            << wrong;
 }
 
 }  // namespace

@@ -175,7 +175,8 @@ void expect_bounded_error(const std::string& name, const std::function<void()>& 
 
 TEST(Hostile, ScenesEndInAnErrorWithAPlace) {
     for (const Hostile& hostile : hostile_scenes()) {
-        expect_bounded_error(hostile.name, [&] { scene_of(hostile.text); }, hostile.patience);
+        expect_bounded_error(
+            hostile.name, [&] { scene_of(hostile.text); }, hostile.patience);
     }
 }
 
@@ -225,15 +226,9 @@ TEST(Hostile, RandomChangesNeverCrash) {
         for (unsigned k = random() % 4 + 1; k > 0; --k) {
             const std::size_t at = random() % changed.size();
             switch (random() % 3) {
-                case 0:
-                    changed[at] = letters[random() % letters.size()];
-                    break;
-                case 1:
-                    changed.erase(at, random() % 10 + 1);
-                    break;
-                default:
-                    changed.insert(at, scene.substr(random() % scene.size(), random() % 20));
-                    break;
+                case 0: changed[at] = letters[random() % letters.size()]; break;
+                case 1: changed.erase(at, random() % 10 + 1); break;
+                default: changed.insert(at, scene.substr(random() % scene.size(), random() % 20)); break;
             }
         }
         // A changed loop may need its whole allowance of work; a few such take minutes and teach nothing new.

@@ -59,7 +59,8 @@ TEST(Tabulate, StraightMotionNeedsTwoSamples) {
 
 TEST(Tabulate, RoundingWhereTermsCancelIsNoMotion) {
     // The plane of focus stays on the thing: its coordinates are 0 but for rounding, another one at every time.
-    const Scene scene = scene_of("camera { location <0.2*Time,2,-4> look_at <0,0.4,0> aperture 0.2 focal_point <0,0.4,0> }");
+    const Scene scene =
+        scene_of("camera { location <0.2*Time,2,-4> look_at <0,0.4,0> aperture 0.2 focal_point <0,0.4,0> }");
     const Varying* table = find(scene, "camera.focal_point.x");
     if (table) {
         EXPECT_LT(std::abs(look_up(*table, 0.3)), 1e-12);

@@ -176,7 +176,9 @@ TEST(Finish, GlossyIsAWordOfOurOwn) {
     // As a name it may stand for a finish, as scenes have it.
     EXPECT_EQ(finish_of("#declare glossy = finish { phong 0.7 } sphere { 0, 1 finish { glossy } }").phong, 0.7f);
     for (const char* wrong : {"glossy -0.1", "glossy 1.5"})
-        EXPECT_NE(error_of(std::string("sphere { 0, 1 finish { ") + wrong + " } }").find("glossy lies between"), std::string::npos) << wrong;
+        EXPECT_NE(error_of(std::string("sphere { 0, 1 finish { ") + wrong + " } }").find("glossy lies between"),
+                  std::string::npos)
+            << wrong;
 }
 
 }  // namespace

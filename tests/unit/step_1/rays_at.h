@@ -107,8 +107,7 @@ private:
                 const Vec3 from = point();
                 return {from, below(2) ? direction() : point() - from + Real(1e-9) * direction()};
             }
-            case 6:
-                return {middle + in_cube(Real(0.5) * special_.size), below(2) ? direction() : special_direction()};
+            case 6: return {middle + in_cube(Real(0.5) * special_.size), below(2) ? direction() : special_direction()};
             case 7: {  // grazing: across the line from the middle to something special
                 const Vec3 at = point(), out = at - middle;
                 const Vec3 d = glm::cross(out, direction()) + Real(1e-30) * direction();
@@ -119,8 +118,7 @@ private:
                 return {from - (below(2) ? Real(1) : unit()) * (point() - from),
                         point() - from + Real(1e-12) * direction()};
             }
-            default:
-                break;
+            default: break;
         }
         return below(4) ? Ray{middle + in_cube(2 * special_.size), direction()}
                         : Ray{awkward(), below(2) ? awkward() : direction()};
@@ -129,16 +127,11 @@ private:
     Interval range() {
         const Real far = 4 * special_.size;
         switch (below(6)) {
-            case 0:
-                return {Real(1e-4), Real(1e7)};
-            case 1:
-                return {far * unit(), kInfinity};
-            case 2:
-                return {0, far * unit()};
-            case 3:
-                return {far * unit(), far * unit()};  // often empty
-            default:
-                return {0, kInfinity};
+            case 0: return {Real(1e-4), Real(1e7)};
+            case 1: return {far * unit(), kInfinity};
+            case 2: return {0, far * unit()};
+            case 3: return {far * unit(), far * unit()};  // often empty
+            default: return {0, kInfinity};
         }
     }
 

@@ -45,13 +45,12 @@ TEST_P(Agrees, WithAskingEveryPrimitive) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Structures, Agrees,
-                         testing::Combine(testing::Values(Case{Partition::grid, "grid"}, Case{Partition::octree, "octree"},
-                                                          Case{Partition::bvh, "bvh"}),
-                                          testing::Range<std::size_t>(0, hard_scenes().size())),
-                         [](const auto& of) {
-                             return std::get<0>(of.param).name + "_" + hard_scenes()[std::get<1>(of.param)].name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Structures, Agrees,
+    testing::Combine(testing::Values(Case{Partition::grid, "grid"}, Case{Partition::octree, "octree"},
+                                     Case{Partition::bvh, "bvh"}),
+                     testing::Range<std::size_t>(0, hard_scenes().size())),
+    [](const auto& of) { return std::get<0>(of.param).name + "_" + hard_scenes()[std::get<1>(of.param)].name; });
 
 TEST(ParallelBuilds, AgreeWithAskingEveryPrimitive) {
     // Twice as many as are built by one thread. Under ThreadSanitizer this is the test of the builds.
@@ -86,8 +85,9 @@ std::vector<double> seen_by(const Scene& scene, Partition partition) {
 
 TEST(ParallelBuilds, AreTheSameForAnyNumberOfThreads) {
     // Most of them in one corner: nodes of the octree are split by all threads to some depth there.
-    const Scene scene = staged("#declare R = seed(1); #declare I = 0; #while (I < " + std::to_string(3 * kParallelFrom) +
-                               ") sphere { <pow(rand(R), 8), rand(R), pow(rand(R), 8)> * 10, 0.2 * rand(R) } #declare I = I + 1; #end\n");
+    const Scene scene = staged(
+        "#declare R = seed(1); #declare I = 0; #while (I < " + std::to_string(3 * kParallelFrom) +
+        ") sphere { <pow(rand(R), 8), rand(R), pow(rand(R), 8)> * 10, 0.2 * rand(R) } #declare I = I + 1; #end\n");
     for (const Partition partition : {Partition::grid, Partition::octree, Partition::bvh}) {
         pretended_cores = 1;
         const std::vector<double> alone = seen_by(scene, partition);
@@ -104,9 +104,10 @@ TEST(ParallelBuilds, AreTheSameForAnyNumberOfThreads) {
 TEST(NoRays, AreMissesAtOnce) {
     const Scene scene = staged(hard_scenes()[3].text);
     const Real nan = std::nan(""), inf = kInfinity, huge = Real(1e300), tiny = Real(1e-300);
-    const std::vector<Ray> none{{Vec3(nan), {0, 0, 1}}, {{0, 0, -9}, Vec3(nan)},  {{0, 0, -9}, {nan, 0, 1}}, {{0, nan, -9}, {0, 0, 1}},
-                                {{0, 0, -9}, Vec3(0)},  {{0, 0, -9}, {0, 0, inf}}, {{0, -inf, 0}, {0, 1, 0}}, {{0, 0, -9}, Vec3(-0.0)},
-                                {{0, 0, -9}, Vec3(huge)}, {{0, 0, -9}, Vec3(tiny)}, {Vec3(huge), Vec3(1)}};
+    const std::vector<Ray> none{{Vec3(nan), {0, 0, 1}},    {{0, 0, -9}, Vec3(nan)},  {{0, 0, -9}, {nan, 0, 1}},
+                                {{0, nan, -9}, {0, 0, 1}}, {{0, 0, -9}, Vec3(0)},    {{0, 0, -9}, {0, 0, inf}},
+                                {{0, -inf, 0}, {0, 1, 0}}, {{0, 0, -9}, Vec3(-0.0)}, {{0, 0, -9}, Vec3(huge)},
+                                {{0, 0, -9}, Vec3(tiny)},  {Vec3(huge), Vec3(1)}};
     for (const Partition partition : {Partition::grid, Partition::octree, Partition::bvh}) {
         const auto structure = make_structure(scene, partition);
         for (const Ray& ray : none)

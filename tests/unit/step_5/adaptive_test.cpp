@@ -8,7 +8,8 @@ namespace {
 
 /// Penumbras, an edge out of focus, and flat parts.
 const std::string kSoft =
-    "camera { location <0,2,-4> look_at <0,0.4,0> right x up y aperture 0.3 focal_point <0,0.4,0> }\nbackground { rgb 0.2 }\n"
+    "camera { location <0,2,-4> look_at <0,0.4,0> right x up y aperture 0.3 focal_point <0,0.4,0> }\nbackground { rgb "
+    "0.2 }\n"
     "light_source { <3,5,-4>, rgb 1 area_light x*2, z*2, 5, 5 }\n"
     "plane { y, 0 pigment { rgb 0.9 } finish { ambient 0.1 diffuse 0.8 } }\n"
     "sphere { <0,0.7,0>, 0.7 pigment { rgb 0.7 } finish { ambient 0.1 diffuse 0.7 } }\n"
@@ -20,7 +21,10 @@ struct Errors {
 Errors errors_at(const Scene& scene, const Film& truth, float wanted, Pattern pattern) {
     Errors errors;
     Residual residual;
-    const Film film = render(scene, {.raster = truth.raster(), .samples = 65536, .pattern = pattern, .error = wanted, .seed = 5, .threads = 1}, &residual);
+    const Film film = render(
+        scene,
+        {.raster = truth.raster(), .samples = 65536, .pattern = pattern, .error = wanted, .seed = 5, .threads = 1},
+        &residual);
     const int pixels = truth.raster().width * truth.raster().height;
     for (int y = 0; y < truth.raster().height; ++y)
         for (int x = 0; x < truth.raster().width; ++x) {
@@ -34,8 +38,8 @@ Errors errors_at(const Scene& scene, const Film& truth, float wanted, Pattern pa
 }
 
 // The error asked for is a standard error: that much in the mean square over the pixels, or less. That of random points
-// is estimated from four groups: a pixel stops when three degrees of freedom look good, by chance too early; groups of a net
-// scatter more than the whole net, which errs on the safe side.
+// is estimated from four groups: a pixel stops when three degrees of freedom look good, by chance too early; groups of
+// a net scatter more than the whole net, which errs on the safe side.
 TEST(Adaptive, TheErrorAskedForIsReached) {
     const Scene scene = staged(kSoft);
     const Film truth = render(scene, {.raster = {32, 32}, .samples = 16384, .seed = 99});
@@ -43,8 +47,10 @@ TEST(Adaptive, TheErrorAskedForIsReached) {
     for (const float wanted : {0.04f, 0.02f, 0.01f}) {
         for (const Pattern pattern : {Pattern::random, Pattern::sobol}) {
             const Errors found = errors_at(scene, truth, wanted, pattern);
-            fmt::print("asked for {:.3f}, {:<6}: {:.4f} reached, {:.2f} % of the pixels beyond four times that, {:.1f} samples\n", wanted,
-                       pattern == Pattern::sobol ? "sobol" : "random", found.rms, 100 * found.beyond_4, found.samples);
+            fmt::print(
+                "asked for {:.3f}, {:<6}: {:.4f} reached, {:.2f} % of the pixels beyond four times that, {:.1f} "
+                "samples\n",
+                wanted, pattern == Pattern::sobol ? "sobol" : "random", found.rms, 100 * found.beyond_4, found.samples);
             EXPECT_LE(found.rms, wanted);
             EXPECT_LE(found.beyond_4, 0.01);
             EXPECT_LT(found.samples, 4096);
@@ -60,12 +66,14 @@ TEST(Adaptive, TheErrorAskedForIsReached) {
 TEST(Adaptive, ItTakesSamplesWhereTheyAreNeeded) {
     // Sixteen everywhere, and no more where all is flat.
     Residual flat;
-    render(staged("camera { orthographic location <0,0,-5> direction z right x up y }\nbackground { rgb 0.5 }\n"), {.raster = {16, 16}, .samples = 4096, .error = 0.01f, .threads = 1}, &flat);
+    render(staged("camera { orthographic location <0,0,-5> direction z right x up y }\nbackground { rgb 0.5 }\n"),
+           {.raster = {16, 16}, .samples = 4096, .error = 0.01f, .threads = 1}, &flat);
     EXPECT_EQ(flat.samples, 16);
     // A limit below sixteen is a limit; one that is no power of two is not reached.
     for (const auto& [limit, taken] : {std::pair(1, 1), {3, 3}, {7, 7}, {16, 16}, {31, 16}, {100, 64}}) {
         Residual residual;
-        const Film film = render(staged(kSoft), {.raster = {8, 8}, .samples = limit, .error = 1e-6f, .threads = 1}, &residual);
+        const Film film =
+            render(staged(kSoft), {.raster = {8, 8}, .samples = limit, .error = 1e-6f, .threads = 1}, &residual);
         EXPECT_TRUE(all_finite(film));
         EXPECT_LE(residual.samples, limit);
         EXPECT_LE(residual.samples, taken);
@@ -73,9 +81,9 @@ TEST(Adaptive, ItTakesSamplesWhereTheyAreNeeded) {
     }
 }
 
-// What the first samples do not see is not looked for. A dot of brightness 1 in the dark, of area a pixels, somewhere in a pixel of its
-// own: sixteen points, one in each sixteenth of the pixel, all miss it with probability 1 - 16 a while it is small, and no
-// neighbour tells. From a radius at which it holds a whole cell of the net it is always seen.
+// What the first samples do not see is not looked for. A dot of brightness 1 in the dark, of area a pixels, somewhere
+// in a pixel of its own: sixteen points, one in each sixteenth of the pixel, all miss it with probability 1 - 16 a
+// while it is small, and no neighbour tells. From a radius at which it holds a whole cell of the net it is always seen.
 TEST(Adaptive, SmallFeaturesAreLostAsOftenAsTheFirstSamplesMissThem) {
     constexpr int kDots = 24;  // each way, five pixels apart
     fmt::print("radius of a dot [px]   lost   1 - 16 a   light left   without --error\n");
@@ -85,8 +93,10 @@ TEST(Adaptive, SmallFeaturesAreLostAsOftenAsTheFirstSamplesMissThem) {
         const std::string text = fmt::format(
             "camera {{ orthographic location <0,0,-5> direction z right x*{0} up y*{0} }}\n#declare R = seed({1});\n"
             "#declare I = 0; #while (I < {2}) #declare J = 0; #while (J < {2})\n"
-            "disc {{ <I*5-{0}/2+2.5+(rand(R)-0.5)*(1-2*{3}), J*5-{0}/2+2.5+(rand(R)-0.5)*(1-2*{3}), 0>, z, {3} pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 0 emission 1 }} }}\n"
-            "#declare J = J+1; #end #declare I = I+1; #end\n", 5 * kDots, int(1000 * radius), kDots, radius);
+            "disc {{ <I*5-{0}/2+2.5+(rand(R)-0.5)*(1-2*{3}), J*5-{0}/2+2.5+(rand(R)-0.5)*(1-2*{3}), 0>, z, {3} pigment "
+            "{{ rgb 1 }} finish {{ ambient 0 diffuse 0 emission 1 }} }}\n"
+            "#declare J = J+1; #end #declare I = I+1; #end\n",
+            5 * kDots, int(1000 * radius), kDots, radius);
         const Scene scene = staged(text);
         const Raster raster{5 * kDots, 5 * kDots};
         const Film adaptive = render(scene, {.raster = raster, .samples = 1024, .error = 0.01f, .threads = 1});

@@ -1,4 +1,5 @@
-// Everything that can move: every structure answers as asking every object does, and every time shows what the scene is then.
+// Everything that can move: every structure answers as asking every object does, and every time shows what the scene is
+// then.
 #include <fmt/format.h>
 
 #include "pictures.h"
@@ -19,11 +20,14 @@ const std::string kPaint = " pigment { rgb <0.8,0.5,0.3> } finish { ambient 0.1 
 
 /// A dented sheet of 5 x 5 x 2 triangles; `height` is SDL of X, Z and Time.
 std::string sheet(const std::string& height, const std::string& more) {
-    return "#macro Y(X,Z) (" + height + ") #end mesh {\n"
+    return "#macro Y(X,Z) (" + height +
+           ") #end mesh {\n"
            "#declare I = 0; #while (I < 5) #declare J = 0; #while (J < 5)\n"
            "#declare X = I*0.4-1; #declare Z = J*0.4-1; #declare U = X+0.4; #declare W = Z+0.4;\n"
-           "triangle { <X,Y(X,Z),Z>, <U,Y(U,Z),Z>, <U,Y(U,W),W> } triangle { <X,Y(X,Z),Z>, <U,Y(U,W),W>, <X,Y(X,W),W> }\n"
-           "#declare J = J+1; #end #declare I = I+1; #end\n" + kPaint + more + "}\n";
+           "triangle { <X,Y(X,Z),Z>, <U,Y(U,Z),Z>, <U,Y(U,W),W> } triangle { <X,Y(X,Z),Z>, <U,Y(U,W),W>, <X,Y(X,W),W> "
+           "}\n"
+           "#declare J = J+1; #end #declare I = I+1; #end\n" +
+           kPaint + more + "}\n";
 }
 
 const std::vector<Moving>& movings() {
@@ -37,12 +41,19 @@ const std::vector<Moving>& movings() {
         {"Disc", "disc { <0,Time,0>, <Time-0.3,1,0>, 0.9, 0.3*Time" + kPaint + "}"},
         {"Plane", "plane { <0.5*Time,1,0>, -Time" + kPaint + "}"},
         {"Triangle", "triangle { <-1,0,Time>, <1,Time,0>, <Time,1,1>" + kPaint + "}"},
-        {"SmoothTriangles", "mesh { smooth_triangle { <-1,0,0>, y, <1,0,0>, <1,1,0>, <0,1,1>, <0,1,-1> }" + kPaint + " rotate 200*Time*y scale 1+Time }"},
-        {"Polygon", "polygon { 8, <-1,-1>,<1,-1>,<0,1>,<-1,-1>, <-0.3,-0.5>,<0.3,-0.5>,<0,0.3>,<-0.3,-0.5> rotate <30,99*Time,0> translate Time*y" + kPaint + "}"},
+        {"SmoothTriangles", "mesh { smooth_triangle { <-1,0,0>, y, <1,0,0>, <1,1,0>, <0,1,1>, <0,1,-1> }" + kPaint +
+                                " rotate 200*Time*y scale 1+Time }"},
+        {"Polygon",
+         "polygon { 8, <-1,-1>,<1,-1>,<0,1>,<-1,-1>, <-0.3,-0.5>,<0.3,-0.5>,<0,0.3>,<-0.3,-0.5> rotate <30,99*Time,0> "
+         "translate Time*y" +
+             kPaint + "}"},
         {"PolygonWhosePointsMove", "polygon { 4, <-1,-1-Time,0>,<1,-1,0>,<Time,1,0>,<-1,-1-Time,0>" + kPaint + "}"},
         {"Quadric", "quadric { <1,1+Time,1>, <0,Time,0>, <0,0,0>, -0.6-Time translate Time*x" + kPaint + "}"},
-        {"Patch", "bicubic_patch { type 1 flatness 0 u_steps 2 v_steps 2 <-1,0,-1>,<-.3,0,-1>,<.3,0,-1>,<1,0,-1>,<-1,0,-.3>,<-.3,2*Time,-.3>,<.3,1,-.3>,<1,0,-.3>,"
-                  "<-1,0,.3>,<-.3,1,.3>,<.3,1,.3>,<1,0,.3>,<-1,0,1>,<-.3,0,1>,<.3,0,1>,<1,Time,1> rotate 60*Time*y" + kPaint + "}"},
+        {"Patch",
+         "bicubic_patch { type 1 flatness 0 u_steps 2 v_steps 2 "
+         "<-1,0,-1>,<-.3,0,-1>,<.3,0,-1>,<1,0,-1>,<-1,0,-.3>,<-.3,2*Time,-.3>,<.3,1,-.3>,<1,0,-.3>,"
+         "<-1,0,.3>,<-.3,1,.3>,<.3,1,.3>,<1,0,.3>,<-1,0,1>,<-.3,0,1>,<.3,0,1>,<1,Time,1> rotate 60*Time*y" +
+             kPaint + "}"},
         {"RigidMesh", sheet("0.3*sin(5*X)*cos(4*Z)", "rotate <40*Time,360*Time,0> translate Time*y")},
         {"ScaledMesh", sheet("0.3*sin(5*X)*cos(4*Z)", "scale <1,1+3*Time,0.5> translate <Time,0,0>")},
         {"DeformingMesh", sheet("0.3*sin(5*X+6*Time)", "")},
@@ -50,11 +61,15 @@ const std::vector<Moving>& movings() {
         {"ClippedMesh", sheet("0.3*sin(5*X)", "rotate 90*Time*y clipped_by { sphere { 0, 0.8 } }")},
         {"MeshWhoseClipMoves", sheet("0.3*sin(5*X)", "clipped_by { box { -2, <2*Time-1,2,2> } }")},
         {"SphereWhoseClipMoves", "sphere { <0,0.5,0>, 0.7 clipped_by { plane { x, Time-0.5 } }" + kPaint + "}"},
-        // A shear that grows while the ball falls: from x = 0 to 0 by way of 2.5. The product of two linear functions is none.
-        {"ProductOfTwoMotions", "sphere { <0,1-Time,0>, 0.1 matrix <1,0,0, 10*Time,1,0, 0,0,1, 0,0,0>" + kPaint + "}"
-                                "sphere { <0,2,0>, 0.3" + kPaint + "} box { <-2,-0.2,-1>, <2,-0.1,1>" + kPaint + "}"},
+        // A shear that grows while the ball falls: from x = 0 to 0 by way of 2.5. The product of two linear functions
+        // is none.
+        {"ProductOfTwoMotions", "sphere { <0,1-Time,0>, 0.1 matrix <1,0,0, 10*Time,1,0, 0,0,1, 0,0,0>" + kPaint +
+                                    "}"
+                                    "sphere { <0,2,0>, 0.3" +
+                                    kPaint + "} box { <-2,-0.2,-1>, <2,-0.1,1>" + kPaint + "}"},
         {"TwoMeshes", sheet("0.2*X", "rotate 90*Time*y") + sheet("0.2*Z+0.3", "translate Time*y no_shadow")},
-        {"Mixed", "sphere { <2*Time-1,0.5,0>, 0.3" + kPaint + "} sphere { <0,1,1>, 0.4" + kPaint + "} box { <-1.5,0,0>, <-1,1,0.5>" + kPaint + "}" +
+        {"Mixed", "sphere { <2*Time-1,0.5,0>, 0.3" + kPaint + "} sphere { <0,1,1>, 0.4" + kPaint +
+                      "} box { <-1.5,0,0>, <-1,1,0.5>" + kPaint + "}" +
                       sheet("0.2*X", "rotate 90*Time*y translate -0.3*y")},
     };
     return all;
@@ -64,13 +79,15 @@ class Moves : public testing::TestWithParam<Moving> {
 protected:
     std::string text() const {
         return "camera { location <0,2,-4> look_at <0,0.4,0> right x up y }\nbackground { rgb <0.1,0.2,0.3> }\n"
-               "light_source { <3,5,-4>, rgb 1 }\n" + GetParam().objects + "\n";
+               "light_source { <3,5,-4>, rgb 1 }\n" +
+               GetParam().objects + "\n";
     }
 };
 
-/// Asks for the same hits, and whether normals are the same but for rounding: a mesh that moves as a whole is met in its own
-/// space, where its normals get unit length once more.
-int different_hits(const Scene& scene, const Intersector& one, const Intersector& other, std::uint64_t seed, int& hits) {
+/// Asks for the same hits, and whether normals are the same but for rounding: a mesh that moves as a whole is met in
+/// its own space, where its normals get unit length once more.
+int different_hits(const Scene& scene, const Intersector& one, const Intersector& other, std::uint64_t seed,
+                   int& hits) {
     constexpr Real kRounding = sizeof(Real) == 8 ? Real(1e-14) : Real(1e-6);
     HardRays rays(scene, seed);
     int differences = 0;
@@ -78,8 +95,9 @@ int different_hits(const Scene& scene, const Intersector& one, const Intersector
         const auto query = rays.next();
         const auto a = one.nearest(query.ray, query.range), b = other.nearest(query.ray, query.range);
         hits += b.has_value();
-        const bool same = a && b ? a->t == b->t && a->object == b->object && a->material == b->material && a->point == b->point &&
-                                       glm::length(a->normal - b->normal) <= kRounding && glm::length(a->shading_normal - b->shading_normal) <= kRounding
+        const bool same = a && b ? a->t == b->t && a->object == b->object && a->material == b->material &&
+                                       a->point == b->point && glm::length(a->normal - b->normal) <= kRounding &&
+                                       glm::length(a->shading_normal - b->shading_normal) <= kRounding
                                  : !a && !b;
         differences += !same;
         differences += one.occluded(query.ray, query.range) != other.occluded(query.ray, query.range);
@@ -93,7 +111,8 @@ TEST_P(Moves, RaysMeetWhatTheyMeetWhenEveryObjectIsAsked) {
     ASSERT_FALSE(first_scene.varying.empty());
     Motion first_motion(first_scene);
     const auto first = make_moving_intersector(first_scene, first_motion, Partition::none);
-    for (const Partition partition : {Partition::none, Partition::grid, Partition::octree, Partition::bvh, Partition::automatic}) {
+    for (const Partition partition :
+         {Partition::none, Partition::grid, Partition::octree, Partition::bvh, Partition::automatic}) {
         Scene scene = read;
         Motion motion(scene);
         const auto structure = make_moving_intersector(scene, motion, partition);
@@ -104,10 +123,12 @@ TEST_P(Moves, RaysMeetWhatTheyMeetWhenEveryObjectIsAsked) {
             first_motion.set_time(Real(time));
             const auto seed = std::uint64_t(1000 * time);
             const BruteForce slow(scene);
-            EXPECT_EQ(different_hits(scene, *structure, slow, seed, hits), 0) << "partition " << int(partition) << " at " << time;
+            EXPECT_EQ(different_hits(scene, *structure, slow, seed, hits), 0)
+                << "partition " << int(partition) << " at " << time;
             // Among themselves they agree in every bit.
             const Agreement agreement = compare(scene, *structure, *first, 300, seed);
-            EXPECT_EQ(agreement.differences, 0u) << "partition " << int(partition) << " at " << time << ": " << agreement.first;
+            EXPECT_EQ(agreement.differences, 0u)
+                << "partition " << int(partition) << " at " << time << ": " << agreement.first;
         }
         EXPECT_GT(hits, 5);
     }
@@ -128,8 +149,9 @@ TEST_P(Moves, PicturesAreTheSameBytesThroughEveryStructureAndByAnyNumberOfThread
     }
 }
 
-// What a shutter of no length shows is the still picture of that time: the same samples, of a scene that is read at it. Tables
-// are off by 1e-4 of a thing's size at most, so that edges may move by a thousandth of a pixel: a few samples of 4 x 480.
+// What a shutter of no length shows is the still picture of that time: the same samples, of a scene that is read at it.
+// Tables are off by 1e-4 of a thing's size at most, so that edges may move by a thousandth of a pixel: a few samples of
+// 4 x 480.
 TEST_P(Moves, AShutterOfNoLengthShowsTheStillScene) {
     Scene moving = staged(text());
     for (const double time : {0.0, 0.37, 1.0}) {
@@ -141,7 +163,8 @@ TEST_P(Moves, AShutterOfNoLengthShowsTheStillScene) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Things, Moves, testing::ValuesIn(movings()), [](const auto& of) { return std::string(of.param.name); });
+INSTANTIATE_TEST_SUITE_P(Things, Moves, testing::ValuesIn(movings()),
+                         [](const auto& of) { return std::string(of.param.name); });
 
 // ---- What moves but is not met: lights, colours, the camera ----
 
@@ -159,15 +182,19 @@ TEST_P(Changes, AShutterOfNoLengthShowsTheStillScene) {
     for (const double time : {0.0, 0.37, 1.0}) {
         moving.camera.shutter_open = moving.camera.shutter_close = Real(time);
         const RenderOptions options{.raster = {24, 20}, .samples = 4, .pattern = Pattern::sobol, .threads = 1};
-        EXPECT_LE(different(render(moving, options), render(staged_at(GetParam().objects, time), options), 2e-3f), 6) << time;
+        EXPECT_LE(different(render(moving, options), render(staged_at(GetParam().objects, time), options), 2e-3f), 6)
+            << time;
     }
 }
 
 TEST_P(Changes, ThePictureIsTheMeanOverItsTimes) {
-    // 64 stills against a picture of 256 samples: of each pixel of 12 x 10 by twelve standard errors, 1/2 over 16 at most.
+    // 64 stills against a picture of 256 samples: of each pixel of 12 x 10 by twelve standard errors, 1/2 over 16 at
+    // most.
     Film mean({12, 10});
     for (int i = 0; i < 64; ++i) {
-        const Film still = render(staged_at(GetParam().objects, (i + 0.5) / 64), {.raster = {12, 10}, .samples = 16, .pattern = Pattern::sobol, .seed = std::uint64_t(i), .threads = 1});
+        const Film still = render(
+            staged_at(GetParam().objects, (i + 0.5) / 64),
+            {.raster = {12, 10}, .samples = 16, .pattern = Pattern::sobol, .seed = std::uint64_t(i), .threads = 1});
         for (int p = 0; p < 120; ++p) mean.at(p % 12, p / 12) += (1.0f / 64) * still.at(p % 12, p / 12);
     }
     const Film moving = render(staged(GetParam().objects), {.raster = {12, 10}, .samples = 1024, .threads = 1});
@@ -179,20 +206,36 @@ TEST_P(Changes, ThePictureIsTheMeanOverItsTimes) {
 
 INSTANTIATE_TEST_SUITE_P(
     Things, Changes,
-    testing::Values(Moving{"LightAndItsColour", kEye + kStage + "light_source { <3-6*Time,5,-4>, rgb <1,Time,1-Time> }\n"},
-                    Moving{"Spotlight", kEye + kStage + "light_source { <3,5,-4>, rgb 2 spotlight point_at <2*Time-1,0,0> radius 8+4*Time falloff 20 }\n"},
-                    Moving{"AreaLight", kEye + kStage + "light_source { <3,5,-4>, rgb 1 area_light x*2*Time, y, 3, 3 }\n"},
-                    Moving{"Camera", "camera { location <2*Time-1,2,-4> look_at <0,0.4,0> right x up y }\n" + kLamp + kStage},
-                    Moving{"CameraThatTurns", "camera { location <0,2,-4> look_at <Time,0.4,0> angle 40+20*Time right x up y }\n" + kLamp + kStage},
-                    Moving{"Lens", "camera { location <0,2,-4> look_at <0,0.4,0> right x up y aperture 0.3 focal_point <0,0.4,3*Time-1> }\n" + kLamp + kStage},
-                    Moving{"Colour", kEye + kLamp + "plane { y, 0 pigment { rgb <Time,1-Time,0.5> } finish { ambient Time diffuse 1-Time } }\n"},
-                    Moving{"CheckersThatTurn", kEye + kLamp + "plane { y, 0 pigment { checker rgb 1 rgb 0.3 rotate 30*Time*y translate Time*x } finish { ambient 0.1 diffuse 0.7 } }\n"},
-                    Moving{"Background", kEye + "background { rgb <Time,1-Time,Time*Time> }\n" + kLamp + kStage},
-                    Moving{"Mirror", kEye + kLamp + kStage + "sphere { <1,0.5,-0.5>, 0.5 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection Time } }\n"},
-                    Moving{"GlassThatClears", kEye + kLamp + kStage + "sphere { <1,0.5,-0.5>, 0.5 pigment { rgbt <1,1,1,Time> } finish { ambient 0.2 diffuse 0.5 } interior { ior 1+0.5*Time } }\n"}),
+    testing::Values(
+        Moving{"LightAndItsColour", kEye + kStage + "light_source { <3-6*Time,5,-4>, rgb <1,Time,1-Time> }\n"},
+        Moving{"Spotlight",
+               kEye + kStage +
+                   "light_source { <3,5,-4>, rgb 2 spotlight point_at <2*Time-1,0,0> radius 8+4*Time falloff 20 }\n"},
+        Moving{"AreaLight", kEye + kStage + "light_source { <3,5,-4>, rgb 1 area_light x*2*Time, y, 3, 3 }\n"},
+        Moving{"Camera", "camera { location <2*Time-1,2,-4> look_at <0,0.4,0> right x up y }\n" + kLamp + kStage},
+        Moving{"CameraThatTurns",
+               "camera { location <0,2,-4> look_at <Time,0.4,0> angle 40+20*Time right x up y }\n" + kLamp + kStage},
+        Moving{
+            "Lens",
+            "camera { location <0,2,-4> look_at <0,0.4,0> right x up y aperture 0.3 focal_point <0,0.4,3*Time-1> }\n" +
+                kLamp + kStage},
+        Moving{
+            "Colour",
+            kEye + kLamp + "plane { y, 0 pigment { rgb <Time,1-Time,0.5> } finish { ambient Time diffuse 1-Time } }\n"},
+        Moving{"CheckersThatTurn", kEye + kLamp +
+                                       "plane { y, 0 pigment { checker rgb 1 rgb 0.3 rotate 30*Time*y translate Time*x "
+                                       "} finish { ambient 0.1 diffuse 0.7 } }\n"},
+        Moving{"Background", kEye + "background { rgb <Time,1-Time,Time*Time> }\n" + kLamp + kStage},
+        Moving{"Mirror",
+               kEye + kLamp + kStage +
+                   "sphere { <1,0.5,-0.5>, 0.5 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection Time } }\n"},
+        Moving{"GlassThatClears", kEye + kLamp + kStage +
+                                      "sphere { <1,0.5,-0.5>, 0.5 pigment { rgbt <1,1,1,Time> } finish { ambient 0.2 "
+                                      "diffuse 0.5 } interior { ior 1+0.5*Time } }\n"}),
     [](const auto& of) { return std::string(of.param.name); });
 
-/// A mesh that moves as a whole has a structure of its own, also where there is so little that things are asked one by one.
+/// A mesh that moves as a whole has a structure of its own, also where there is so little that things are asked one by
+/// one.
 TEST(Motion, AMeshAloneIsNotAskedFaceByFace) {
     Scene scene = staged(sheet("0.2*X", "rotate 90*Time*y"));
     Motion motion(scene);
@@ -222,8 +265,10 @@ TEST(Motion, SamplesThatMoveAreTheSameBytesByAnyNumberOfThreadsAdaptivelyToo) {
 
 TEST(Motion, AThingThatCrossesTheWholePicture) {
     // It is 600 pictures wide, and covers the eye's axis for 1/20 of the time.
-    const Scene scene = staged("camera { orthographic location <0,0,-5> direction z right x up y }\n"
-                               "box { <-300,-9,0>, <-290,9,1> translate 200*(Time-0.5)*x+295*x pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }\n");
+    const Scene scene = staged(
+        "camera { orthographic location <0,0,-5> direction z right x up y }\n"
+        "box { <-300,-9,0>, <-290,9,1> translate 200*(Time-0.5)*x+295*x pigment { rgb 1 } finish { ambient 0 diffuse 0 "
+        "emission 1 } }\n");
     const Film film = render(scene, {.raster = {16, 16}, .samples = 256, .threads = 1});
     EXPECT_TRUE(all_finite(film));
     // Sobol's times are one in each 256th: a pixel is off by one of them at each end, and by its own width, 1/200/16.
