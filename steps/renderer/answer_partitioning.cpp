@@ -1,4 +1,9 @@
 // The queries of step 4: boxes, cells and octants one by one, and whole structures.
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/time.h>
+
 #include <barrier>
 #include <thread>
 
@@ -131,25 +136,63 @@ std::string occluded_through(const Stage& stage, Words& words) {
     return questions::text(structure->occluded(ray, words.interval()));
 }
 
-/// Every thread asks rays of its own, at the same time.
+/// While it lives, threads that take interruptions are made to let others go on, wherever they are, two thousand times
+/// a second between them: else a busy machine may run one after the other, and what they do to each other never shows.
+class Interruptions {
+public:
+    Interruptions() {
+        sigemptyset(&alarm_);
+        sigaddset(&alarm_, SIGALRM);
+        pthread_sigmask(SIG_BLOCK, &alarm_, nullptr);  // threads that are started now inherit it
+        struct sigaction yields {};
+        yields.sa_handler = [](int) { sched_yield(); };
+        yields.sa_flags = SA_RESTART;
+        sigaction(SIGALRM, &yields, nullptr);
+        every(kMicroseconds);
+    }
+    ~Interruptions() { every(0); }
+    Interruptions(const Interruptions&) = delete;
+    Interruptions& operator=(const Interruptions&) = delete;
+
+    void take() const { pthread_sigmask(SIG_UNBLOCK, &alarm_, nullptr); }
+
+private:
+    static constexpr int kMicroseconds = 500;
+    static void every(int microseconds) {
+        const itimerval interval{{0, microseconds}, {0, microseconds}};
+        setitimer(ITIMER_REAL, &interval, nullptr);
+    }
+    sigset_t alarm_;
+};
+
+/// With several threads each first asks the structure so many rays, for each that it compares, twice: nothing else goes
+/// on then, so what threads do to each other shows, in answers that differ.
+constexpr std::size_t kTogether = 16;
+
+/// Every thread has rays of its own.
 template <Partition kPartition>
 std::string agreement(const Stage& stage, Words& words) {
     const auto structure = structure_of(stage, kPartition), truth = structure_of(stage, Partition::none);
     if (!structure) return kNoStructure;
-    const int count = words.integer(), seed = words.integer();
-    std::vector<Agreement> results(static_cast<std::size_t>(std::clamp(words.integer(), 1, 8)));
-    std::barrier together(static_cast<std::ptrdiff_t>(results.size()));
-    {
+    const auto count = static_cast<std::size_t>(words.integer());
+    const auto seed = static_cast<std::uint64_t>(words.integer());
+    std::vector<Agreement> twice(static_cast<std::size_t>(std::clamp(words.integer(), 1, 8)));
+    if (twice.size() > 1) {
+        const Interruptions interruptions;
+        std::barrier together(static_cast<std::ptrdiff_t>(twice.size()));
         std::vector<std::jthread> threads;
-        for (std::size_t i = 0; i < results.size(); ++i)
+        for (std::size_t i = 0; i < twice.size(); ++i)
             threads.emplace_back([&, i] {
+                interruptions.take();
                 together.arrive_and_wait();
-                results[i] = compare(stage.scene, *structure, *truth, static_cast<std::size_t>(count),
-                                     static_cast<std::uint64_t>(seed) + i);
+                twice[i] = compare(stage.scene, *structure, *structure, kTogether * count, seed + i);
             });
     }
     Agreement sum;
-    for (const Agreement& r : results) sum.rays += r.rays, sum.hits += r.hits, sum.differences += r.differences;
+    for (std::size_t i = 0; i < twice.size(); ++i) {
+        const Agreement r = compare(stage.scene, *structure, *truth, count, seed + i);
+        sum.rays += r.rays, sum.hits += r.hits, sum.differences += r.differences + twice[i].differences;
+    }
     return fmt::format("{} {} {}", sum.rays, sum.hits, sum.differences);
 }
 
