@@ -153,40 +153,32 @@ TEST(Slopes, SumOfSmoothFunctionsOfOneCoordinate) {
         {-1, -0.5, -1, -1.5, -1.5}, 16);
 }
 
+/// The edge of something that hides the light beyond a line, seen from one point: the share of the light that is left.
+void expect_penumbra_slopes(const char* name, const Light& light, double (Line::*truth)() const) {
+    expect_slopes(name,
+                  [&](Pattern pattern, std::uint32_t n, std::uint32_t r) {
+                      const Line line(r);
+                      const auto is_seen = [&](Vec2 u) {
+                          const Vec3 at = light_at(light, u, 0).location;
+                          return line.below(double(at.x), double(at.z)) ? 1.0 : 0.0;
+                      };
+                      return error_of(pattern, n, r, is_seen, (line.*truth)());
+                  },
+                  {kAnything, -0.5, -0.75, -0.75, -0.75});
+}
+
 TEST(Slopes, PenumbraOfASquareLight) {
     Light light;
     light.area = true;
     light.axis_u = {1, 0, 0}, light.axis_v = {0, 0, 1};
-    expect_slopes("penumbra, square light",
-                  [&](Pattern pattern, std::uint32_t n, std::uint32_t r) {
-                      const Line line(r);
-                      return error_of(
-                          pattern, n, r,
-                          [&](Vec2 u) {
-                              const Vec3 at = light_at(light, u, 0).location;
-                              return line.below(double(at.x), double(at.z)) ? 1.0 : 0.0;
-                          },
-                          line.of_square());
-                  },
-                  {kAnything, -0.5, -0.75, -0.75, -0.75});
+    expect_penumbra_slopes("penumbra, square light", light, &Line::of_square);
 }
 
 TEST(Slopes, PenumbraOfADisc) {
     Light light;
     light.area = light.circular = true;
     light.axis_u = {2, 0, 0}, light.axis_v = {0, 0, 2};
-    expect_slopes("penumbra, disc",
-                  [&](Pattern pattern, std::uint32_t n, std::uint32_t r) {
-                      const Line line(r);
-                      return error_of(
-                          pattern, n, r,
-                          [&](Vec2 u) {
-                              const Vec3 at = light_at(light, u, 0).location;
-                              return line.below(double(at.x), double(at.z)) ? 1.0 : 0.0;
-                          },
-                          line.of_disc());
-                  },
-                  {kAnything, -0.5, -0.75, -0.75, -0.75});
+    expect_penumbra_slopes("penumbra, disc", light, &Line::of_disc);
 }
 
 TEST(Slopes, IrradianceOfADisc) {
