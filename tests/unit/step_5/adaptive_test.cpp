@@ -81,6 +81,24 @@ TEST(Adaptive, ItTakesSamplesWhereTheyAreNeeded) {
     }
 }
 
+// A wire along a row of pixels, 0.05 of a pixel thick, from a fourth of its height up. Sixteen points have one in each
+// sixteenth of the height: a pixel misses the wire with probability 0.2, and all three of a pixel and its neighbours in
+// the row with 0.2^3. Who has a neighbour that saw it goes on, and 32 points cannot miss it.
+TEST(Adaptive, WhatAPixelMissesItsNeighboursTell) {
+    constexpr int kWidth = 256;
+    const Scene scene =
+        staged(fmt::format("camera {{ orthographic location <0,0,-5> direction z right x*{0} up y*5 }}\n"
+                           "box {{ <-{0}, 0.25, 0>, <{0}, 0.3, 1> pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 0 "
+                           "emission 1 }} }}\n",
+                           kWidth));
+    const Film film = render(scene, {.raster = {kWidth, 5}, .samples = 1024, .error = 0.01f, .threads = 1});
+    int lost = 0;
+    for (int x = 0; x < kWidth; ++x) lost += film.at(x, 2)[0] == 0;
+    fmt::print("{} of {} pixels lost the wire\n", lost, kWidth);
+    // Two are expected, and 51 of pixels that look at themselves alone.
+    EXPECT_LE(lost, 10);
+}
+
 // What the first samples do not see is not looked for. A dot of brightness 1 in the dark, of area a pixels, somewhere
 // in a pixel of its own: sixteen points, one in each sixteenth of the pixel, all miss it with probability 1 - 16 a
 // while it is small, and no neighbour tells. From a radius at which it holds a whole cell of the net it is always seen.
