@@ -194,6 +194,9 @@ void apply(const Bias& b, RgbImage& p) {
             }
 }
 
+/// Pictures for a grading's reference, at most: as its own error counts, more only take time.
+constexpr std::size_t kForTruth = 96;
+
 std::vector<Row> real(const Settings& s) {
     const Pictures all = rendered(s);
     // A grading may need two batches of the student's and two of the solution's.
@@ -214,7 +217,8 @@ std::vector<Row> real(const Settings& s) {
                 std::swap(order[k], order[static_cast<std::size_t>(random.uniform() * double(k + 1))]);
             }
             Pictures others;
-            for (std::size_t k = most; k < order.size(); ++k) others.push_back(all[order[k]]);
+            for (std::size_t k = most; k < std::min(order.size(), most + kForTruth); ++k)
+                others.push_back(all[order[k]]);
             std::size_t next = 0;
             grade(row, truth_from(others), s, [&](bool student, int seeds) {
                 Pictures batch;
