@@ -72,7 +72,7 @@ protected:
         const fs::path solution = program(solution_folder, map_bytes(8), answering(solution_folder, "[[0,0,0,1,1,2]]"));
         const fs::path s = student.empty() ? solution : student;
         Limits limits;
-        limits.cpu_s = 1, limits.wall_s = 2;
+        limits.cpu_s = 1, limits.wall_s = 20;
         return map_costs({project, *sandbox, step, solution, s, out.path(), 1, limits}, 2);
     }
 

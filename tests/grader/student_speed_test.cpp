@@ -1,8 +1,10 @@
 // The student beside the solution in charts of speed; each program is a shell script that answers as such a program
-// would. Nothing here depends on how long anything takes, but that counting far takes longer than not counting.
+// would, and says itself how long it took: nothing here depends on how long anything takes.
 #include "grader/student_speed.h"
 
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 #include "grader/step_data.h"
 #include "references/averaged.h"
@@ -14,13 +16,33 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kWidth = 16, kHeight = 12;
-const char* const kCountFar = "i=0; while [ $i -lt 30000 ]; do i=$((i+1)); done\n";
+
+/// A line of a script: so many seconds more of processor time.
+std::string takes(int seconds) { return "echo takes " + std::to_string(seconds) + " >&2\n"; }
+
+/// Runs scripts for real, under limits; their time is what they say, and a second for all the rest.
+class ToldTime : public Sandbox {
+public:
+    std::string tier() const override { return real_->tier(); }
+    JobResult run(const Job& job) const override {
+        JobResult result = real_->run(job);
+        result.ended.cpu_s = 1;
+        std::istringstream words(result.ended.err);
+        double seconds = 0;
+        for (std::string word; words >> word;)
+            if (word == "takes" && words >> seconds) result.ended.cpu_s += seconds;
+        return result;
+    }
+
+private:
+    std::unique_ptr<Sandbox> real_ = make_sandbox();
+};
 
 class StudentSpeedTest : public testing::Test {
 protected:
     Project project = find_project();
     TemporaryFolder solution_folder, student_folder;
-    std::unique_ptr<Sandbox> sandbox = make_sandbox();
+    std::unique_ptr<Sandbox> sandbox = std::make_unique<ToldTime>();
     Step step;
 
     static RgbImage grey(float value) {
@@ -33,15 +55,15 @@ protected:
         return "cp " + (folder.path() / "picture").string() + " picture.exr\n";
     }
 
-    /// Many rays take long, one takes nothing; says what it is told about agreement.
-    static std::string answering(const std::string& agreement) {
-        return "question=$(tail -n 1)\ncase \"$question\" in\n*100000*) " + std::string(kCountFar) +
+    /// Many rays take these seconds, one takes nothing; says what it is told about agreement.
+    static std::string answering(const std::string& agreement, int seconds = 3) {
+        return "question=$(tail -n 1)\ncase \"$question\" in\n*100000*) " + takes(seconds) +
                "echo 1 1 ;;\nagreement*) " + agreement + " ;;\n*) echo 1 1 ;;\nesac\n";
     }
 
     std::vector<SpeedPoint> timed(const std::string& solution, const std::string& student) {
         Limits limits;
-        limits.cpu_s = 2, limits.wall_s = 4;
+        limits.cpu_s = 2, limits.wall_s = 20;
         return time_student({project,
                              *sandbox,
                              step,
@@ -77,13 +99,13 @@ protected:
 };
 
 TEST_F(StudentSpeedTest, APictureHasARatioAndAnErrorToTheSolutionsBest) {
-    const SpeedPoint point = pictures(kCountFar + painting(student_folder, 0.75f));
+    const SpeedPoint point = pictures(takes(2) + painting(student_folder, 0.75f));
     EXPECT_EQ(point.verdict, Verdict::pass) << point.message;
     EXPECT_EQ(point.chart + "/" + point.series + "/" + point.label + "/" + point.time, "3.tree.time/depth/depth 3/x");
     EXPECT_EQ(point.rounds, kSpeedRounds);
-    EXPECT_GT(point.low, 1) << "it counts far before it paints";
-    EXPECT_LE(point.low, point.median);
-    EXPECT_LE(point.median, point.high);
+    EXPECT_EQ(point.low, 3);
+    EXPECT_EQ(point.median, 3);
+    EXPECT_EQ(point.high, 3);
     ASSERT_TRUE(point.error);
     EXPECT_DOUBLE_EQ(*point.error, 0.5) << "0.25 of 0.5";
     EXPECT_EQ(point.against, "max_trace_level 20");
@@ -128,17 +150,22 @@ TEST_F(StudentSpeedTest, AMeanIsHeldAgainstAveragedFramesNotTheSolution) {
 }
 
 TEST_F(StudentSpeedTest, AStructureHasTheTimeOfItsRaysAlone) {
-    // Before any question it counts twice as far as the solution does for its rays: with that, it would be three times.
-    const std::string before = std::string(kCountFar) + kCountFar;
-    const SpeedPoint point = structures(before + answering("echo 20 10 0"));
+    // Twelve seconds before any question, then twice as long for its rays as the solution.
+    const SpeedPoint point = structures(takes(12) + answering("echo 20 10 0", 6));
     EXPECT_EQ(point.verdict, Verdict::pass) << point.message;
     EXPECT_EQ(point.series, "grid");
     EXPECT_EQ(point.at, 100);
     EXPECT_EQ(point.time, "y");
-    EXPECT_GT(point.low, 0);
-    EXPECT_LT(point.median, 2);
+    EXPECT_EQ(point.low, 2);
+    EXPECT_EQ(point.median, 2);
     EXPECT_FALSE(point.error);
     EXPECT_EQ(point.message, "");
+}
+
+TEST_F(StudentSpeedTest, ATimeThatNoiseAteIsNoTime) {
+    const SpeedPoint point = structures(answering("echo 20 10 0", 0));
+    EXPECT_EQ(point.verdict, Verdict::fail);
+    EXPECT_EQ(point.message, "too quick to be timed");
 }
 
 TEST_F(StudentSpeedTest, AWrongStructureSaysSo) {
