@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "2_phong/phong.h"
+#include "packets/beam.h"
+#include "packets/spray.h"
 
 namespace rays::packets {
 
@@ -52,26 +54,39 @@ private:
     mutable std::optional<SpreadRays> single_;
 };
 
+namespace {
+
+/// Things that are sheared along the longest axis of their rays.
+bool has_facets(const Scene& scene) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+        return object.kind == ShapeKind::triangle || object.kind == ShapeKind::smooth_triangle ||
+               object.kind == ShapeKind::mesh;
+    });
+}
+
+}  // namespace
+
 PacketIntersector::PacketIntersector(const Scene& scene)
     : hierarchy_(wide::make_hierarchy(scene)), single_(wide::make_bvh(hierarchy_)) {
     for (const Material& m : scene.materials) clear_materials_.push_back(lets_light_through(m.pigment));
+    takes_any_way_ = hierarchy_->tree.nodes.size() <= 1 && !has_facets(scene);
 }
 
 // ---- The walk -------------------------------------------------------------------------------------------------------
 
-/// Asks the primitives that some ray of the beam may meet until ask(primitive) says enough; near boxes first, when
+/// Asks the primitives that some ray of a beam, or of a spray, may meet until ask(primitive) says enough; near boxes first, when
 /// sorted.
-template <bool sorted, class Ask>
-void PacketIntersector::walk(Beam& beam, Ask ask) const {
+template <bool sorted, class Front, class Ask>
+void PacketIntersector::walk(Front& front, Ask ask) const {
     for (const std::uint32_t primitive : hierarchy_->unbounded)
         if (ask(primitive)) return;
     const wide::Tree& tree = hierarchy_->tree;
     if (tree.nodes.empty()) return;
 
     const auto ask_block = [&](const auto& block, const auto& numbers) {
-        for (unsigned mask = beam.meets(block); mask != 0; mask &= mask - 1) {
+        for (unsigned mask = front.meets(block); mask != 0; mask &= mask - 1) {
             const int i = std::countr_zero(mask);
-            if (beam.rays_that_meet(block, i) != 0 && ask(numbers[i])) return true;
+            if (front.rays_that_meet(block, i) != 0 && ask(numbers[i])) return true;
         }
         return false;
     };
@@ -96,7 +111,7 @@ void PacketIntersector::walk(Beam& beam, Ask ask) const {
         const wide::Node& node = tree.nodes[next];
         alignas(32) float enters[wide::kWidth];
         const int first = size;
-        for (unsigned mask = beam.meets(node, enters); mask != 0; mask &= mask - 1) {
+        for (unsigned mask = front.meets(node, enters); mask != 0; mask &= mask - 1) {
             const int i = std::countr_zero(mask);
             int place = size++;
             if constexpr (sorted)
@@ -106,9 +121,9 @@ void PacketIntersector::walk(Beam& beam, Ask ask) const {
         for (;;) {
             if (size == 0) return;
             const Open open = stack[--size];
-            if (open.enters > beam.far_end()) continue;
+            if (open.enters > front.far_end()) continue;
             const wide::Node& parent = tree.nodes[open.place / 8];
-            if (beam.rays_that_meet(parent, open.place % 8) == 0) continue;
+            if (front.rays_that_meet(parent, open.place % 8) == 0) continue;
             const Child child = parent.child[open.place % 8];
             if (child.kind() == Child::Kind::node) {
                 next = child.place();
@@ -130,12 +145,17 @@ Mask fit_for_floats(const Rays& rays) {
 
 }  // namespace
 
-/// Calls together(lanes, way) for rays that go the same way, if they are enough, and returns the others.
+/// Calls together(lanes, way) for rays that go the same way, if they are enough, and returns the others. Where there is
+/// little to meet the way does not matter.
 template <class Together>
-unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together together) {
+unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together together) const {
     const Directions directions(rays.direction);
     const Mask fit = active & fit_for_floats(rays);
     unsigned alone = (active - fit).bits();
+    if (takes_any_way_ && fit.any()) {
+        together(fit, directions.way(std::countr_zero(fit.bits())));
+        return alone;
+    }
     for (unsigned rest = fit.bits(); rest != 0;) {
         const unsigned group = directions.like_the_first(rest);
         if (std::popcount(group) < kFewestTogether)
@@ -147,14 +167,28 @@ unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together toge
     return alone;
 }
 
+/// Calls walk_with(front) with what boxes see of the rays.
+template <class WalkWith>
+void PacketIntersector::with_front(const Rays& rays, Mask lanes, const Directions::Way& way, const Span& span,
+                                   WalkWith walk_with) const {
+    if (takes_any_way_) {
+        Spray spray(rays, lanes, span);
+        walk_with(spray);
+    } else {
+        Beam beam(rays, lanes, way, span);
+        walk_with(beam);
+    }
+}
+
 Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span) const {
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
-        Beam beam(rays, lanes, way, span.near, span.far);
         const Asked asked(rays, span, lanes, way.longest_axis, lanes, found.t);
-        walk<true>(beam, [&](std::uint32_t primitive) {
-            if (keep_nearer(primitive, asked, found)) beam.end_at(found.t, lanes);
-            return false;
+        with_front(rays, lanes, way, span, [&](auto& front) {
+            walk<true>(front, [&](std::uint32_t primitive) {
+                if (keep_nearer(primitive, asked, found)) front.end_at(found.t, lanes);
+                return false;
+            });
         });
     });
     Hits hits;
@@ -185,12 +219,13 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
             return !open.any();
         };
         if (suspect == kNone || !blocks_all(suspect)) {
-            Beam beam(rays, open, way, span.near, span.far);
-            walk<false>(beam, [&](std::uint32_t primitive) {
-                const Mask before = open;
-                if (blocks_all(primitive)) return true;
-                if (before.bits() != open.bits()) beam.leave_out(before - open);
-                return false;
+            with_front(rays, open, way, span, [&](auto& front) {
+                walk<false>(front, [&](std::uint32_t primitive) {
+                    const Mask before = open;
+                    if (blocks_all(primitive)) return true;
+                    if (before.bits() != open.bits()) front.leave_out(before - open);
+                    return false;
+                });
             });
         }
         blocked = blocked | (lanes - open);
@@ -213,25 +248,26 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
     Obstacles met;
     const Mask asking = active & (span.near < span.far);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
-        Beam beam(rays, lanes, way, span.near, span.far);
         Mask open = lanes;
         const Asked asked(rays, {span.near, span.far, true}, lanes, way.longest_axis, open, span.far);
-        walk<false>(beam, [&](std::uint32_t primitive) {
-            const PrimitiveTester::Dispatch& dispatch = hierarchy_->tester.dispatch(primitive);
-            if (!dispatch.casts) return false;
-            const bool tells_where = has_packet_test(primitive) && !dispatch.iterated;
-            const Roots roots = tells_where ? roots_of(primitive, asked) : Roots{blocked_by(primitive, asked, open)};
-            const Mask now = roots.is & open;
-            if (!now.any()) return false;
-            if (!clear_materials_[material_of(primitive)]) {
-                met.opaque = met.opaque | now;
-                if (tells_where) beam.look_between(now, roots.t - Reals(kPassedOver), roots.t);
-                return false;
-            }
-            met.clear = met.clear | now;
-            open = open - now;
-            beam.leave_out(now);
-            return !open.any();
+        with_front(rays, lanes, way, span, [&](auto& front) {
+            walk<false>(front, [&](std::uint32_t primitive) {
+                const PrimitiveTester::Dispatch& dispatch = hierarchy_->tester.dispatch(primitive);
+                if (!dispatch.casts) return false;
+                const bool tells_where = has_packet_test(primitive) && !dispatch.iterated;
+                const Roots roots = tells_where ? roots_of(primitive, asked) : Roots{blocked_by(primitive, asked, open)};
+                const Mask now = roots.is & open;
+                if (!now.any()) return false;
+                if (!clear_materials_[material_of(primitive)]) {
+                    met.opaque = met.opaque | now;
+                    if (tells_where) front.look_between(now, roots.t - Reals(kPassedOver), roots.t);
+                    return false;
+                }
+                met.clear = met.clear | now;
+                open = open - now;
+                front.leave_out(now);
+                return !open.any();
+            });
         });
     });
     met.clear = met.clear | Mask::of(alone);  // whoever walks from hit to hit finds out

@@ -8,7 +8,6 @@
 
 #include "4_partitioning/beyond/hierarchy.h"
 #include "core/intersector.h"
-#include "packets/beam.h"
 #include "packets/hits.h"
 #include "packets/placed.h"
 
@@ -36,7 +35,7 @@ private:
     std::vector<std::uint32_t> of_;
 };
 
-/// Rays that go the same way walk the hierarchy together, others alone. The answers are those of single rays, bit by
+/// Rays that go the same way walk the hierarchy together, others alone; among a few things, all rays together. The answers are those of single rays, bit by
 /// bit. Directions have unit length.
 class PacketIntersector {
 public:
@@ -44,6 +43,8 @@ public:
 
     const Scene& scene() const { return hierarchy_->tester.scene(); }
     const Intersector& single() const { return *single_; }
+    /// Need rays not go the same way to walk together?
+    bool takes_any_way() const { return takes_any_way_; }
 
     /// The nearest hits in the span, 0 <= near. `active` are the rays that ask.
     Hits nearest(const Rays& rays, Mask active, const Span& span) const;
@@ -63,9 +64,12 @@ private:
     std::uint32_t material_of(std::uint32_t primitive) const;
     bool has_packet_test(std::uint32_t primitive) const;
     template <class Together>
-    static unsigned grouped(const Rays& rays, Mask active, Together together);
-    template <bool sorted, class Ask>
-    void walk(Beam& beam, Ask ask) const;
+    unsigned grouped(const Rays& rays, Mask active, Together together) const;
+    template <class WalkWith>
+    void with_front(const Rays& rays, Mask lanes, const Directions::Way& way, const Span& span,
+                    WalkWith walk_with) const;
+    template <bool sorted, class Front, class Ask>
+    void walk(Front& front, Ask ask) const;
     Roots roots_of(std::uint32_t primitive, const Asked& asked) const;
     bool keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const;
     Mask blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const;
@@ -75,6 +79,7 @@ private:
     std::shared_ptr<const wide::Hierarchy> hierarchy_;
     std::unique_ptr<wide::SingleRays> single_;
     std::vector<bool> clear_materials_;
+    bool takes_any_way_ = false;
 };
 
 }  // namespace rays::packets

@@ -15,6 +15,13 @@ struct Rays {
     Vec3s at(Reals t) const { return origin + t * direction; }
 };
 
+/// The part of the rays that counts: near < t < far.
+struct Span {
+    Reals near, far;
+    bool any = false;  ///< where there are roots, any number in the span will do for t
+    Mask contains(Reals t) const { return (near < t) & (t < far); }
+};
+
 /// Eight vectors, to be looked at one by one.
 struct Spread3 {
     Spread x, y, z;

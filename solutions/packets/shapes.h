@@ -10,13 +10,6 @@
 
 namespace rays::packets {
 
-/// The part of the rays that counts: near < t < far.
-struct Span {
-    Reals near, far;
-    bool any = false;  ///< where there are roots, any number in the span will do for t
-    Mask contains(Reals t) const { return (near < t) & (t < far); }
-};
-
 // ---- Spheres and planes ---------------------------------------------------------------------------------------------
 
 inline Roots intersect(const Sphere& sphere, const Rays& rays, const Span& span) {

@@ -193,7 +193,8 @@ Numbers Tracer::meet(Frame& f) const {
             f.material[n] = hits.material[i];
         });
     };
-    if (f.batch.level == 0)  // camera rays go the same way as they are
+    // Camera rays go the same way as they are.
+    if (f.batch.level == 0 || intersector_.takes_any_way())
         each_chunk(all_of(f.batch.count), meet_chunk);
     else
         each_chunk_by_way(f.batch.direction, f.batch.count, meet_chunk);

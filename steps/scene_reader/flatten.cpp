@@ -287,16 +287,12 @@ void Flattener::add_mesh(const Shared<MeshDraft>& draft, const Placement& placem
     bool patterned = false;
     for (const auto& surface : draft->surfaces) patterned = patterned || surface->pigment.checker_other.has_value();
     if (!patterned) {
-        const auto known = meshes_.find(draft);
-        if (known != meshes_.end()) {
-            ++known->second.users;
-            object.shape = known->second.index;
-            return;
-        }
+        const auto [known, is_new] = meshes_.try_emplace(draft, static_cast<std::uint32_t>(scene_.meshes.size()));
+        object.shape = known->second;
+        if (!is_new) return;
     }
-    in_.hold((draft->positions.size() + draft->normals.size()) * sizeof(Vec3) +
-             draft->faces.size() * sizeof(Mesh::Face));
-    in_.spend(static_cast<std::int64_t>(draft->faces.size() / 8));
+    object.shape = static_cast<std::uint32_t>(scene_.meshes.size());
+    spend_on_faces(draft->positions.size() + draft->normals.size(), draft->faces.size());
     Mesh mesh;
     mesh.positions.reserve(draft->positions.size());
     for (const V3& p : draft->positions) mesh.positions.emplace_back(p);
@@ -309,28 +305,49 @@ void Flattener::add_mesh(const Shared<MeshDraft>& draft, const Placement& placem
         if (face.material != Mesh::kObjectMaterial) face.material = materials[face.material];
     }
     scene_.meshes.push_back(std::move(mesh));
-    object.shape = static_cast<std::uint32_t>(scene_.meshes.size() - 1);
-    if (patterned) {
-        lone_meshes_.push_back(static_cast<std::uint32_t>(scene_.objects.size()));
-    } else {
-        meshes_[draft] = {object.shape, 1, static_cast<std::uint32_t>(scene_.objects.size())};
+}
+
+void Flattener::spend_on_faces(std::size_t vectors, std::size_t faces) {
+    in_.hold(vectors * sizeof(Vec3) + faces * sizeof(Mesh::Face));
+    in_.spend(static_cast<std::int64_t>(faces / 8));
+}
+
+namespace {
+
+/// Works the object's transform into the corners of its mesh, which nobody else may use.
+void fold_in(Scene& scene, Object& object) {
+    if (object.transform == kNone) return;
+    const Transform& map = scene.transforms[object.transform];
+    Mesh& mesh = scene.meshes[object.shape];
+    for (Vec3& p : mesh.positions) p = map.point_to_world(p);
+    for (Vec3& n : mesh.normals) n = glm::normalize(glm::transpose(map.inverse_linear) * n);
+    object.transform = kNone;
+}
+
+}  // namespace
+
+/// Rays are not moved for a mesh that stands where it is. So who uses a mesh alone has its transform worked into the
+/// corners, and so has everybody who shares a small one: each gets a copy.
+void Flattener::fold_meshes() {
+    std::vector<std::vector<std::uint32_t>> users(scene_.meshes.size());
+    for (std::uint32_t i = 0; i < scene_.objects.size(); ++i)
+        if (scene_.objects[i].kind == ShapeKind::mesh) users[scene_.objects[i].shape].push_back(i);
+    std::size_t copied = 0;
+    for (std::uint32_t m = 0; m < users.size(); ++m) {
+        const std::size_t faces = scene_.meshes[m].faces.size();
+        if (copied + faces * (users[m].size() - 1) > kMostCopiedFaces) continue;
+        for (std::size_t i = 1; i < users[m].size(); ++i) {
+            Mesh copy = scene_.meshes[m];
+            spend_on_faces(copy.positions.size() + copy.normals.size(), faces);
+            scene_.objects[users[m][i]].shape = append(scene_.meshes, std::move(copy));
+            copied += faces;
+        }
+        for (const std::uint32_t user : users[m]) fold_in(scene_, scene_.objects[user]);
     }
 }
 
 void Flattener::finish() {
-    if (choices_.varying) return;
-    for (const auto& [draft, known] : meshes_) {
-        if (known.users == 1) lone_meshes_.push_back(known.user);
-    }
-    for (const std::uint32_t user : lone_meshes_) {
-        Object& object = scene_.objects[user];
-        if (object.transform == kNone) continue;
-        const Transform& map = scene_.transforms[object.transform];
-        Mesh& mesh = scene_.meshes[object.shape];
-        for (Vec3& p : mesh.positions) p = map.point_to_world(p);
-        for (Vec3& n : mesh.normals) n = glm::normalize(glm::transpose(map.inverse_linear) * n);
-        object.transform = kNone;
-    }
+    if (!choices_.varying) fold_meshes();
 }
 
 }  // namespace rays::sdl

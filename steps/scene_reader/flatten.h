@@ -76,19 +76,15 @@ private:
     bool fold(ConeDraft& cone, const Placement& placement);
 
     void add_mesh(const Shared<MeshDraft>& mesh, const Placement& placement, Object& object);
+    void spend_on_faces(std::size_t vectors, std::size_t faces);
+    void fold_meshes();
 
     Scene& scene_;
     Interpreter& in_;
     FoldChoices& choices_;
     /// Surfaces without a pattern look the same wherever they are: one material for all who share the draft.
     std::unordered_map<Shared<SurfaceDraft>, std::uint32_t> plain_;
-    struct KnownMesh {
-        std::uint32_t index = 0;
-        std::uint32_t users = 0;
-        std::uint32_t user = 0;  ///< the last one
-    };
-    std::unordered_map<Shared<MeshDraft>, KnownMesh> meshes_;
-    std::vector<std::uint32_t> lone_meshes_;  ///< objects whose mesh nobody else uses
+    std::unordered_map<Shared<MeshDraft>, std::uint32_t> meshes_;  ///< those that objects may share
 };
 
 }  // namespace rays::sdl

@@ -28,6 +28,8 @@ inline constexpr std::size_t kMostArrayElements = 5'000'000;
 inline constexpr std::size_t kLongestString = 1 << 20;
 /// Notes kept; a loop could make millions.
 inline constexpr std::size_t kMostNotes = 100;
+/// Of meshes that several objects share, in all (Flattener::fold_meshes): 25 MB at most.
+inline constexpr std::size_t kMostCopiedFaces = 1 << 17;
 
 /// Work is counted in units of a token, some 15 to 25 ns. A loop that makes nothing ends after `kIdleWork` (one
 /// second); text read once buys more without limit, objects made by it up to `kMostWorkForObjects`: a mesh of a million

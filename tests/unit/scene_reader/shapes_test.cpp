@@ -125,14 +125,30 @@ TEST(ShapeReader, MeshJoinsEqualCorners) {
     EXPECT_TRUE(near(scene.meshes[0].positions[0], {1, 0, 0}));
 }
 
-TEST(ShapeReader, MeshesUsedTwiceAreShared) {
-    const Scene scene =
-        scene_of("#declare M = mesh { triangle { 0, x, y } } object { M translate x } object { M scale 2 }");
-    EXPECT_EQ(scene.meshes.size(), 1u);
-    ASSERT_EQ(scene.objects.size(), 2u);
-    EXPECT_NE(scene.objects[0].transform, kNone);
-    EXPECT_NE(scene.objects[1].transform, kNone);
+TEST(ShapeReader, SmallMeshesUsedTwiceStandWhereTheyAre) {
+    const Scene scene = scene_of(
+        "#declare M = mesh { triangle { 0, x, y } }\n"
+        "object { M scale 2 translate z } object { M } object { M translate 5 * x }");
+    ASSERT_EQ(scene.objects.size(), 3u);
+    const Vec3 second_corner[] = {{2, 0, 1}, {1, 0, 0}, {6, 0, 0}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(scene.objects[i].transform, kNone);
+        EXPECT_TRUE(near(scene.meshes[scene.objects[i].shape].positions[1], second_corner[i])) << i;
+    }
+}
+
+TEST(ShapeReader, LargeMeshesUsedTwiceAreShared) {
+    const std::string faces = "#for (I, 1, 66000) triangle { 0, <I, 0, 0>, y } #end";
+    const Scene scene = scene_of("#declare M = mesh { " + faces +
+                             " } object { M scale 2 } object { M scale 3 } object { M scale 4 }\n"
+                             "#declare Small = mesh { triangle { 0, x, y } } object { Small } object { Small scale 5 }");
+    ASSERT_EQ(scene.objects.size(), 5u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(scene.objects[i].shape, 0u);
+        EXPECT_NE(scene.objects[i].transform, kNone);
+    }
     EXPECT_TRUE(near(scene.meshes[0].positions[1], {1, 0, 0}));
+    EXPECT_EQ(scene.objects[4].transform, kNone) << "what is small has its copy all the same";
 }
 
 TEST(ShapeReader, Mesh2) {
