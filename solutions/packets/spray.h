@@ -51,7 +51,7 @@ private:
             far = _mm256_min_ps(far, _mm256_max_ps(to_lo, to_hi) * _mm256_set1_ps(1 + kSlack));
         }
         const __m256 met = _mm256_cmp_ps(near, far, _CMP_LE_OQ);
-        enters = _mm256_cvtss_f32(smallest(near, met));
+        enters = _mm256_cvtss_f32(near);
         return static_cast<unsigned>(_mm256_movemask_ps(met));
     }
 

@@ -160,13 +160,7 @@ bool Interpreter::float_function(Word word, const Place& place, double& result) 
             return true;
         case Word::select_: result = select(); return true;
         case Word::sin_: result = std::sin(argument()); return true;
-        case Word::sinh_:
-            result = std::sinh(argument());
-            return true;
-
-            a = argument();
-            result = a * a;
-            return true;
+        case Word::sinh_: result = std::sinh(argument()); return true;
         case Word::sqrt_:
             a = argument();
             if (a < 0) fail(place, fmt::format("the square root of {} is undefined", a));

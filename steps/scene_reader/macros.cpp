@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scene_reader/formula.h"
 #include "scene_reader/interpreter.h"
 
 namespace rays::sdl {
@@ -47,7 +48,7 @@ void Interpreter::call_macro(const Shared<Macro>& called, Place place) {
     // Arguments are expressions of the caller, who may look at whatever follows: directives in them are obeyed.
     const bool outer_hold = std::exchange(hold_, false);
     const bool outer_left = std::exchange(left_side_, false);
-    expect('(', fmt::format("the call of macro {}", macro.name));
+    if (!accept('(')) unexpected(fmt::format("'(' in the call of macro {}", macro.name));
     std::vector<Value> arguments;
     const std::size_t caller_scope = scopes_.size() - 1;
     for (std::size_t i = 0; i < macro.parameters.size(); ++i) {
@@ -58,7 +59,9 @@ void Interpreter::call_macro(const Shared<Macro>& called, Place place) {
         arguments.push_back(right_side(true, caller_scope, false));
         comma();
     }
-    expect(')', fmt::format("the call of macro {}, which takes {} arguments", macro.name, macro.parameters.size()));
+    if (!accept(')'))
+        unexpected(fmt::format("')' in the call of macro {}, which takes {} arguments", macro.name,
+                               macro.parameters.size()));
     hold_ = outer_hold;
     left_side_ = outer_left;
     if (blocks_.size() >= kMostOpenBlocks) {
@@ -120,6 +123,7 @@ Value Interpreter::function_definition() {
         if (token.is('{')) ++depth;
         if (token.is('}') && --depth == 0) function->body_end = token.place.at;
     }
+    if (!function->internal) function->formula = formula_of(*function, names_);
     Value value;
     value.is = Shared<Function>(function);
     return value;
@@ -133,6 +137,8 @@ void Interpreter::capture(Function& function, const Token& name) {
     // A copy: what the variable becomes later does not change the function.
     const Value* value = known.back().slot.get();
     while (const auto* reference = value->as<Reference>()) value = reference->target.get();
+    if (value == time_.slot) time_.used = true;
+    if (value == wavelength_.slot) wavelength_.used = true;
     if (!value->as<Shared<Function>>()) function.captured.back().second = std::make_shared<Value>(*value);
 }
 
@@ -146,7 +152,11 @@ double Interpreter::call_function(const Function& function, Place place) {
         if (i > 0) comma();
         arguments.push_back(number());
     }
-    expect(')', fmt::format("a function's call with {} arguments", function.parameters.size()));
+    if (!accept(')')) unexpected(fmt::format("')' in a function's call with {} arguments", function.parameters.size()));
+    if (function.formula) {
+        spend(function.formula->work());
+        if (const auto value = (*function.formula)(arguments)) return *value;
+    }
     const Place back = scanner_.place();
     const auto outer = std::exchange(parameters_, {&function, std::move(arguments)});
     scopes_.emplace_back();

@@ -36,10 +36,12 @@ struct Macro {
     const char* body = nullptr;
     const char* body_end = nullptr;  ///< macro: the '#' of its #end; function: the closing brace
 };
+class Formula;
 struct Function : Macro {
     /// The variables of its expression, with the values they had when it was defined.
     std::vector<std::pair<NameId, std::shared_ptr<Value>>> captured;
     bool internal = false;  ///< one of POV-Ray's built-in functions: can be named but not called
+    std::shared_ptr<const Formula> formula;  ///< what it computes, if that is known without its text
 };
 
 /// A macro's parameter that is the caller's own variable.
