@@ -11,6 +11,7 @@
 #include <fstream>
 #include <functional>
 #include <glm/glm.hpp>
+#include <immintrin.h>
 #include <map>
 #include <memory>
 #include <numeric>

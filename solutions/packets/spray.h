@@ -17,7 +17,8 @@ public:
         }
     }
 
-    float far_end() const { return kMaxFloat; }
+    /// Not known: where the first ray of the eight enters a box says nothing of the others, and serves to sort only.
+    static constexpr float far_end() { return std::numeric_limits<float>::infinity(); }
 
     using FloatRays::rays_that_meet;
     unsigned rays_that_meet(const wide::Node& node, unsigned child) const {

@@ -117,7 +117,13 @@ TYPED_TEST(BoxesSee, NobodyElse) {
             if (!kOneWay<TypeParam>) direction = range.direction();
             ray = {range.point_of(node, aimed_at) - range.number(1, 100) * direction, direction};
         }
-        const unsigned met = front_of<TypeParam>(together(rays)).rays_that_meet(node, box);
+        const TypeParam front = front_of<TypeParam>(together(rays));
+        const unsigned met = front.rays_that_meet(node, box);
+        float enters[wide::kWidth];
+        if (met != 0) {
+            ASSERT_TRUE(front.meets(node, enters) >> box & 1) << n;
+            ASSERT_FALSE(enters[box] > front.far_end()) << n << ": the walk would pass over it";
+        }
         for (unsigned i = 0; i < kLanes; ++i) {
             if (!misses(rays[i], node, box)) continue;
             ++missing;
