@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 /// A mutant that loops costs its time limit, and one that fills the memory the time to fill it: both are far above what
 /// a right program takes for any of these runs (less than 160 MB).
-constexpr Limits kMutantLimits{10, 15, 512, 64, 64, 8};
+constexpr Limits kMutantLimits{5, 15, 512, 64, 64, 8};
 
 const char* kind_text(Mutant::Kind kind) {
     return kind == Mutant::Kind::mutant ? "mutant" : kind == Mutant::Kind::variant ? "variant" : "naive";
