@@ -61,7 +61,7 @@ public:
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(near, far, _CMP_LE_OQ)));
     }
 
-    /// A bit for each child whose box some ray may meet; where the first may enter, in `enters`.
+    /// A bit for each child whose box some ray may meet; where the first may enter, in `enters` (aligned).
     unsigned meets(const wide::Node& node, float* enters) const {
         __m256 near[3], far[3];
         for (int a = 0; a < 3; ++a) {

@@ -26,7 +26,7 @@ public:
         return rays_that_meet(node, child, enters);
     }
 
-    /// A bit for each child whose box some ray may meet; where the first may enter, in `enters`.
+    /// A bit for each child whose box some ray may meet; where the first may enter, in `enters` (aligned).
     unsigned meets(const wide::Node& node, float* enters) const {
         const __m256 is_there = _mm256_cmp_ps(_mm256_load_ps(node.lo[0]), _mm256_load_ps(node.hi[0]), _CMP_LE_OQ);
         unsigned met = 0;

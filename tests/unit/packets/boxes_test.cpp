@@ -84,7 +84,7 @@ TYPED_TEST(BoxesSee, EverybodyWhoMeetsThem) {
         }
         const TypeParam front = front_of<TypeParam>(together(rays));
         ASSERT_EQ(front.rays_that_meet(node, box), kAllLanes) << n;
-        float enters[wide::kWidth];
+        alignas(32) float enters[wide::kWidth];
         ASSERT_TRUE(front.meets(node, enters) >> box & 1) << n;
         ASSERT_LE(enters[box], way * (1 + 1e-6)) << n;
         ASSERT_EQ(front.meets(node, enters) >> 6, 0u) << "an empty place is met by nobody";
@@ -119,7 +119,7 @@ TYPED_TEST(BoxesSee, NobodyElse) {
         }
         const TypeParam front = front_of<TypeParam>(together(rays));
         const unsigned met = front.rays_that_meet(node, box);
-        float enters[wide::kWidth];
+        alignas(32) float enters[wide::kWidth];
         if (met != 0) {
             ASSERT_TRUE(front.meets(node, enters) >> box & 1) << n;
             ASSERT_FALSE(enters[box] > front.far_end()) << n << ": the walk would pass over it";
