@@ -76,7 +76,7 @@ private:
     bool fold(ConeDraft& cone, const Placement& placement);
 
     void add_mesh(const Shared<MeshDraft>& mesh, const Placement& placement, Object& object);
-    void spend_on_faces(std::size_t vectors, std::size_t faces);
+    void spend_on_faces(std::size_t vectors, std::size_t faces);  // fold.cpp, like what follows
     void fold_meshes();
 
     Scene& scene_;

@@ -72,4 +72,44 @@ bool Flattener::fold(ConeDraft& cone, const Placement& placement) {
     return true;
 }
 
+void Flattener::spend_on_faces(std::size_t vectors, std::size_t faces) {
+    in_.hold(vectors * sizeof(Vec3) + faces * sizeof(Mesh::Face));
+    in_.spend(static_cast<std::int64_t>(faces / 8));
+}
+
+namespace {
+
+/// Works the object's transform into the corners of its mesh, which nobody else may use.
+void fold_in(Scene& scene, Object& object) {
+    if (object.transform == kNone) return;
+    const Transform& map = scene.transforms[object.transform];
+    Mesh& mesh = scene.meshes[object.shape];
+    for (Vec3& p : mesh.positions) p = map.point_to_world(p);
+    for (Vec3& n : mesh.normals) n = glm::normalize(glm::transpose(map.inverse_linear) * n);
+    object.transform = kNone;
+}
+
+}  // namespace
+
+/// Rays are not moved for a mesh that stands where it is. So who uses a mesh alone has its transform worked into the
+/// corners, and so has everybody who shares a small one: each gets a copy.
+void Flattener::fold_meshes() {
+    std::vector<std::vector<std::uint32_t>> users(scene_.meshes.size());
+    for (std::uint32_t i = 0; i < scene_.objects.size(); ++i)
+        if (scene_.objects[i].kind == ShapeKind::mesh) users[scene_.objects[i].shape].push_back(i);
+    std::size_t copied = 0;
+    for (std::uint32_t m = 0; m < users.size(); ++m) {
+        const std::size_t faces = scene_.meshes[m].faces.size();
+        if (copied + faces * (users[m].size() - 1) > kMostCopiedFaces) continue;
+        for (std::size_t i = 1; i < users[m].size(); ++i) {
+            Mesh copy = scene_.meshes[m];
+            spend_on_faces(copy.positions.size() + copy.normals.size(), faces);
+            scene_.objects[users[m][i]].shape = static_cast<std::uint32_t>(scene_.meshes.size());
+            scene_.meshes.push_back(std::move(copy));
+            copied += faces;
+        }
+        for (const std::uint32_t user : users[m]) fold_in(scene_, scene_.objects[user]);
+    }
+}
+
 }  // namespace rays::sdl

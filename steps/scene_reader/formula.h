@@ -15,7 +15,8 @@ namespace rays::sdl {
 
 struct Function;
 
-/// Arithmetic, comparisons and the usual functions of floats, in postfix. Gives what reading the text gives, bit by bit.
+/// Arithmetic, comparisons and the usual functions of floats, in postfix. Gives what reading the text gives, bit by
+/// bit.
 class Formula {
 public:
     /// Nothing where there is an error to tell, with its place: reading the text tells it.
@@ -38,11 +39,14 @@ private:
         std::uint32_t which = 0;  ///< of an argument its number, of a call that of the formula
         double number = 0;
     };
-    class Maker;
+    class Maker;  // formula_maker.cpp
     friend std::shared_ptr<const Formula> formula_of(const Function& function, Names& names);
+
+    static constexpr std::size_t kMostWaiting = 64;  ///< numbers on the stack
 
     static std::optional<double> of_one(Does does, double a);
     static std::optional<double> of_two(Does does, double a, double b);
+    bool call(const Operation& operation, double* stack, std::size_t& size) const;
 
     std::vector<Operation> operations_;
     struct Called {
