@@ -18,12 +18,7 @@ class PacketIntersector::Asked {
 public:
     /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
     Asked(const Rays& rays_, const Span& span_, Mask lanes, int longest_axis, const Mask& open, const Reals& nearest)
-        : rays(rays_),
-          active(lanes),
-          span(span_),
-          open_(open),
-          nearest_(nearest),
-          longest_axis_(longest_axis) {}
+        : rays(rays_), active(lanes), span(span_), open_(open), nearest_(nearest), longest_axis_(longest_axis) {}
 
     /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
     /// of the primitive decides.
@@ -54,28 +49,18 @@ private:
     mutable std::optional<SpreadRays> single_;
 };
 
-namespace {
-
-/// Things that are sheared along the longest axis of their rays.
-bool has_facets(const Scene& scene) {
-    return std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
-        return object.kind == ShapeKind::triangle || object.kind == ShapeKind::smooth_triangle ||
-               object.kind == ShapeKind::mesh;
-    });
-}
-
-}  // namespace
-
 PacketIntersector::PacketIntersector(const Scene& scene)
     : hierarchy_(wide::make_hierarchy(scene)), single_(wide::make_bvh(hierarchy_)) {
     for (const Material& m : scene.materials) clear_materials_.push_back(lets_light_through(m.pigment));
-    takes_any_way_ = hierarchy_->tree.nodes.size() <= 1 && !has_facets(scene);
+    takes_any_way_ = hierarchy_->tree.nodes.size() <= 1 &&
+                     std::none_of(scene.objects.begin(), scene.objects.end(),
+                                  [](const Object& object) { return is_faceted(object.kind); });
 }
 
 // ---- The walk -------------------------------------------------------------------------------------------------------
 
-/// Asks the primitives that some ray of a beam, or of a spray, may meet until ask(primitive) says enough; near boxes first, when
-/// sorted.
+/// Asks the primitives that some ray of a beam, or of a spray, may meet until ask(primitive) says enough; near boxes
+/// first, when sorted.
 template <bool sorted, class Front, class Ask>
 void PacketIntersector::walk(Front& front, Ask ask) const {
     for (const std::uint32_t primitive : hierarchy_->unbounded)
@@ -255,7 +240,8 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
                 const PrimitiveTester::Dispatch& dispatch = hierarchy_->tester.dispatch(primitive);
                 if (!dispatch.casts) return false;
                 const bool tells_where = has_packet_test(primitive) && !dispatch.iterated;
-                const Roots roots = tells_where ? roots_of(primitive, asked) : Roots{blocked_by(primitive, asked, open)};
+                const Roots roots =
+                    tells_where ? roots_of(primitive, asked) : Roots{blocked_by(primitive, asked, open)};
                 const Mask now = roots.is & open;
                 if (!now.any()) return false;
                 if (!clear_materials_[material_of(primitive)]) {
@@ -290,19 +276,14 @@ Roots PacketIntersector::roots_of(std::uint32_t primitive, const Asked& asked) c
     const auto& dispatch = hierarchy_->tester.dispatch(primitive);
     const Scene& s = scene();
     switch (dispatch.way) {
-        case Way::sphere:
-            return intersect(s.spheres[dispatch.shape], asked.rays, asked.span);
-        case Way::cone:
-            return intersect(s.cones[dispatch.shape], asked.rays, asked.span);
-        case Way::plane:
-            return intersect(s.planes[dispatch.shape], asked.rays, asked.span);
-        case Way::triangle:
-            return asked.sheared().intersect(s.triangles[dispatch.shape], asked.span);
+        case Way::sphere: return intersect(s.spheres[dispatch.shape], asked.rays, asked.span);
+        case Way::cone: return intersect(s.cones[dispatch.shape], asked.rays, asked.span);
+        case Way::plane: return intersect(s.planes[dispatch.shape], asked.rays, asked.span);
+        case Way::triangle: return asked.sheared().intersect(s.triangles[dispatch.shape], asked.span);
         case Way::face:
             return intersect(s.meshes[dispatch.shape], dispatch.primitive.part, asked.rays, asked.sheared(),
                              asked.span);
-        case Way::other:
-            break;
+        case Way::other: break;
     }
     const Primitive p = dispatch.primitive;
     return intersect_placed(s, s.objects[p.object], p.part, asked.rays, asked.narrow_span(),

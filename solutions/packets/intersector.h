@@ -35,8 +35,8 @@ private:
     std::vector<std::uint32_t> of_;
 };
 
-/// Rays that go the same way walk the hierarchy together, others alone; among a few things, all rays together. The answers are those of single rays, bit by
-/// bit. Directions have unit length.
+/// Rays that go the same way walk the hierarchy together, others alone; among a few things, all rays together. The
+/// answers are those of single rays, bit by bit. Directions have unit length.
 class PacketIntersector {
 public:
     explicit PacketIntersector(const Scene& scene);

@@ -7,9 +7,6 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-bool is_faceted(ShapeKind kind) {
-    return kind == ShapeKind::triangle || kind == ShapeKind::smooth_triangle || kind == ShapeKind::mesh;
-}
 bool can_clip(const Object& object) {
     switch (object.kind) {
         case ShapeKind::sphere:
@@ -78,6 +75,10 @@ Mask contains(const Scene& scene, const Object& object, const Vec3s& p) {
 Vec3s times(const Mat3& m, const Vec3s& v) {
     const auto row = [&](int i) { return Reals(m[0][i]) * v.x + Reals(m[1][i]) * v.y + Reals(m[2][i]) * v.z; };
     return {row(0), row(1), row(2)};
+}
+
+bool is_faceted(ShapeKind kind) {
+    return kind == ShapeKind::triangle || kind == ShapeKind::smooth_triangle || kind == ShapeKind::mesh;
 }
 
 bool has_packet_test(const Scene& scene, const Object& object) {

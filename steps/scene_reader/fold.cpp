@@ -100,7 +100,7 @@ void Flattener::fold_meshes() {
     std::size_t copied = 0;
     for (std::uint32_t m = 0; m < users.size(); ++m) {
         const std::size_t faces = scene_.meshes[m].faces.size();
-        if (copied + faces * (users[m].size() - 1) > kMostCopiedFaces) continue;
+        if (users[m].empty() || copied + faces * (users[m].size() - 1) > kMostCopiedFaces) continue;
         for (std::size_t i = 1; i < users[m].size(); ++i) {
             Mesh copy = scene_.meshes[m];
             spend_on_faces(copy.positions.size() + copy.normals.size(), faces);

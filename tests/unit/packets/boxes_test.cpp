@@ -61,8 +61,10 @@ constexpr bool kOneWay = std::is_same_v<Front, Beam>;
 
 template <class Front>
 Front front_of(const Rays& rays) {
-    if constexpr (kOneWay<Front>) return Beam(rays, Mask::of(kAllLanes), Directions(rays.direction).way(0), kAhead);
-    else return Spray(rays, Mask::of(kAllLanes), kAhead);
+    if constexpr (kOneWay<Front>)
+        return Beam(rays, Mask::of(kAllLanes), Directions(rays.direction).way(0), kAhead);
+    else
+        return Spray(rays, Mask::of(kAllLanes), kAhead);
 }
 
 template <class Front>

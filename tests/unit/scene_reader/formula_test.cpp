@@ -1,4 +1,5 @@
-// Functions are worked out once where they can be. What a call gives, and what it complains about, is what its text says.
+// Functions are worked out once where they can be. What a call gives, and what it complains about, is what its text
+// says.
 #include <fmt/format.h>
 
 #include <bit>
@@ -33,9 +34,9 @@ private:
         switch (below(4)) {
             case 0: return "(" + condition(depth - 1) + ")";
             case 1:
-                return one_of({"sin", "cos", "abs", "sqrt", "exp", "ln", "log", "floor", "ceil", "atan", "tanh",
-                               "acos", "asin", "degrees", "radians", "tan", "sinh", "cosh", "asinh", "acosh",
-                               "atanh"}) +
+                return one_of({"sin",     "cos",  "abs",  "sqrt", "exp",   "ln",    "log",
+                               "floor",   "ceil", "atan", "tanh", "acos",  "asin",  "degrees",
+                               "radians", "tan",  "sinh", "cosh", "asinh", "acosh", "atanh"}) +
                        "(" + condition(depth - 1) + ")";
             case 2:
                 return one_of({"max", "min", "mod", "pow", "atan2", "Twice"}) + "(" + sum(depth - 1) + ", " +
@@ -58,8 +59,7 @@ private:
     std::mt19937 random_{7};
 };
 
-const std::string kGiven =
-    "#declare D = -1.25; #declare Twice = function(p, q) { 2*p + 0.25*q - D }\n";
+const std::string kGiven = "#declare D = -1.25; #declare Twice = function(p, q) { 2*p + 0.25*q - D }\n";
 
 std::string declared(double a, double b, double c) {
     return fmt::format("#declare A = {}; #declare B = {}; #declare C = {};\n", a, b, c);
@@ -108,7 +108,8 @@ TEST(Formula, WhatIsNoFloatIsReadAgain) {
                   .spheres[0]
                   .center.x,
               30);
-    EXPECT_EQ(scene_of("#declare F = function { x + 10*y + 100*z } sphere { F(1, 2, 3)*x, 1 }").spheres[0].center.x, 321);
+    EXPECT_EQ(scene_of("#declare F = function { x + 10*y + 100*z } sphere { F(1, 2, 3)*x, 1 }").spheres[0].center.x,
+              321);
 }
 
 TEST(Formula, VariablesAreThoseOfItsDefinition) {

@@ -139,9 +139,10 @@ TEST(ShapeReader, SmallMeshesUsedTwiceStandWhereTheyAre) {
 
 TEST(ShapeReader, LargeMeshesUsedTwiceAreShared) {
     const std::string faces = "#for (I, 1, 66000) triangle { 0, <I, 0, 0>, y } #end";
-    const Scene scene = scene_of("#declare M = mesh { " + faces +
-                             " } object { M scale 2 } object { M scale 3 } object { M scale 4 }\n"
-                             "#declare Small = mesh { triangle { 0, x, y } } object { Small } object { Small scale 5 }");
+    const Scene scene =
+        scene_of("#declare M = mesh { " + faces +
+                 " } object { M scale 2 } object { M scale 3 } object { M scale 4 }\n"
+                 "#declare Small = mesh { triangle { 0, x, y } } object { Small } object { Small scale 5 }");
     ASSERT_EQ(scene.objects.size(), 5u);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(scene.objects[i].shape, 0u);
