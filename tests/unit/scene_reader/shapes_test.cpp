@@ -152,6 +152,18 @@ TEST(ShapeReader, LargeMeshesUsedTwiceAreShared) {
     EXPECT_EQ(scene.objects[4].transform, kNone) << "what is small has its copy all the same";
 }
 
+TEST(ShapeReader, CopiesOfAllMeshesTogetherHaveALimit) {
+    std::string text;
+    for (const std::string m : {"A", "B", "C"})
+        text += "#declare " + m + " = mesh { #for (I, 1, 50000) triangle { 0, <I, 0, 0>, y } #end } object { " + m +
+                " } object { " + m + " scale 2 }\n";
+    const Scene scene = scene_of(text);
+    ASSERT_EQ(scene.objects.size(), 6u);
+    EXPECT_EQ(scene.objects[1].transform, kNone);
+    EXPECT_EQ(scene.objects[3].transform, kNone);
+    EXPECT_NE(scene.objects[5].transform, kNone) << "150 000 faces would be copied";
+}
+
 TEST(ShapeReader, Mesh2) {
     const Scene scene = scene_of(
         "mesh2 { vertex_vectors { 4, 0, x, y, x+y } normal_vectors { 2, z, <1,0,1> }\n"
