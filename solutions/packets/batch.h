@@ -23,7 +23,7 @@ struct Numbers {
 
 /// Takes those out of the list whose property is that of the first.
 template <class Property>
-Numbers take_alike(Numbers& numbers, Property property) {
+Numbers take_alike(Numbers& numbers, const Property& property) {
     Numbers alike, others;
     const auto first = property(numbers.of[0]);
     for (const Number n : numbers) (property(n) == first ? alike : others).add(n);
@@ -46,9 +46,9 @@ struct Chunk {
         for (int i = 1; i < kLanes; ++i) is_run &= of[i] == of[0] + i;
     }
     Reals load(const double* column) const {
-        if (is_run) return {_mm256_loadu_pd(column + of[0]), _mm256_loadu_pd(column + of[0] + 4)};
-        return {_mm256_setr_pd(column[of[0]], column[of[1]], column[of[2]], column[of[3]]),
-                _mm256_setr_pd(column[of[4]], column[of[5]], column[of[6]], column[of[7]])};
+        if (is_run) return Reals::load_anywhere(column + of[0]);
+        return {column[of[0]], column[of[1]], column[of[2]], column[of[3]],
+                column[of[4]], column[of[5]], column[of[6]], column[of[7]]};
     }
     Floats load(const float* column) const {
         if (is_run) return _mm256_loadu_ps(column + of[0]);
@@ -59,7 +59,7 @@ struct Chunk {
 
 /// Calls what(chunk) for the rays of the list, eight by eight.
 template <class What>
-void each_chunk(const Numbers& numbers, What what) {
+void each_chunk(const Numbers& numbers, const What& what) {
     for (int first = 0; first < numbers.count; first += kLanes) what(Chunk(numbers, first, numbers.count));
 }
 
@@ -69,11 +69,12 @@ struct VectorColumns {
 
     Vec3s load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
     void store(int first, const Vec3s& v) {
-        const auto put = [&](double* column, Reals r) {
-            _mm256_storeu_pd(column + first, r.lo);
-            _mm256_storeu_pd(column + first + 4, r.hi);
-        };
-        put(of[0], v.x), put(of[1], v.y), put(of[2], v.z);
+        for (int a = 0; a < 3; ++a) v[a].store_anywhere(of[a] + first);
+    }
+    void store(const Chunk& chunk, const Vec3s& v) {
+        if (chunk.is_run) return store(chunk.of[0], v);
+        const Spread3 lanes(v);
+        each_lane(chunk.lanes, [&](int i) { set(chunk.of[i], lanes, i); });
     }
     template <class Vectors>
     void set(Number n, const Vectors& v, int lane) {
@@ -85,7 +86,7 @@ struct VectorColumns {
 
 /// Calls what(chunk) for rays that go the same way, eight by eight: the signs of their directions and the longest axis.
 template <class What>
-void each_chunk_by_way(const VectorColumns& direction, int count, What what) {
+void each_chunk_by_way(const VectorColumns& direction, int count, const What& what) {
     const auto way_of = [&](int n) {
         const double x = direction.of[0][n], y = direction.of[1][n], z = direction.of[2][n];
         const double ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
@@ -109,10 +110,24 @@ struct LightColumns {
 
     Radiances load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
     Radiance operator[](Number n) const { return {of[0][n], of[1][n], of[2][n]}; }
+    float largest(Number n) const {  // the fourth lane has nothing
+        return std::max(std::max(of[0][n], of[1][n]), std::max(of[2][n], 0.0f));
+    }
     void set(Number n, const Radiance& light) {
         for (int c = 0; c < 3; ++c) of[c][n] = light[c];
     }
+    /// All of them, to radiances side by side.
+    void add_to(Radiance (&sum)[Block::kSize]) const {
+        for (int n = 0; n < Block::kSize; n += 4) {
+            __m128 r = _mm_loadu_ps(of[0] + n), g = _mm_loadu_ps(of[1] + n), b = _mm_loadu_ps(of[2] + n),
+                   none = _mm_setzero_ps();
+            _MM_TRANSPOSE4_PS(r, g, b, none);
+            const __m128 rgb[4] = {r, g, b, none};
+            for (int i = 0; i < 4; ++i) _mm_store_ps(sum[n + i].lane, _mm_add_ps(_mm_load_ps(sum[n + i].lane), rgb[i]));
+        }
+    }
     void store(const Chunk& chunk, unsigned lanes, const Radiances& light) {
+        if (lanes == 0) return;
         if (chunk.is_run && lanes == kAllLanes) {
             _mm256_storeu_ps(of[0] + chunk.of[0], light.r.v);
             _mm256_storeu_ps(of[1] + chunk.of[0], light.g.v);

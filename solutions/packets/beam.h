@@ -12,7 +12,7 @@ class Beam : public FloatRays {
 public:
     Beam(const Rays& rays, Mask active, const Directions::Way& way, const Span& span)
         : FloatRays(rays, active, span.near, span.far), way_(way) {
-        const __m256 in = narrow(active);
+        const FloatMask in = narrow(active);
         for (int a = 0; a < 3; ++a) {
             const bool forwards = way.forwards[a];
             const __m256 off = rounding_of(origin_[a]), less = origin_[a] - off, more = origin_[a] + off;
@@ -110,7 +110,7 @@ private:
         far_end_ = _mm256_cvtss_f32(last_far_);
     }
     void update_ends() {
-        first_near_ = smallest(near_, _mm256_cmp_ps(far_, _mm256_setzero_ps(), _CMP_GE_OQ));
+        first_near_ = smallest(near_, compared<_CMP_GE_OQ>(far_, _mm256_setzero_ps()));
         update_far();
     }
 

@@ -40,7 +40,7 @@ inline Radiances metal_tint(const Surfaces& at, Reals cosine, float metallic) {
 
 /// How much a finish mirrors: task 3.4. ior_of(lane) is asked where Fresnel's formulas need it.
 template <class IorOf>
-Radiances reflectivity(const Surfaces& at, IorOf ior_of) {
+Radiances reflectivity(const Surfaces& at, const IorOf& ior_of) {
     const Reflection& r = at.finish->reflection;
     const Reals cosine = dot(at.normal, at.to_viewer), zero(0.0), one(1);
     const Reals c = select(cosine < zero, zero, select(cosine > one, one, cosine));

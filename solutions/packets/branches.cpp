@@ -9,8 +9,7 @@ namespace rays::packets {
 
 /// Which rays are mirrored, which go through, and how much of them: tasks 3.9 to 3.11.
 void Tracer::divide(Frame& f, const Chunk& chunk, const Surfaces& at) {
-    const Spread3 normal(at.normal);
-    each_lane(chunk.lanes, [&](int i) { f.normal.set(chunk.of[i], normal, i); });
+    f.normal.store(chunk, at.normal);
     const Reflection& mirror = at.finish->reflection;
     const Floats weight = chunk.load(f.batch.weight);
     Radiances share;
@@ -74,13 +73,17 @@ void Tracer::go_through(std::size_t depth) {
         const Spread3 direction(reflected(f.batch.direction.load(chunk), f.normal.load(chunk)));
         each_lane(chunk.lanes, [&](int i) {
             const Number n = chunk.of[i];
-            branch(f, n, direction, i, f.batch.weight[n] * f.tint[n].largest(), next);
+            branch(f, n, direction, i, f.batch.weight[n] * f.tint.largest(n), next);
         });
     });
     trace(depth + 1);
     for (int c = 0; c < next.batch.count; ++c) {
         const Number n = next.batch.parent[c];
-        f.brought.set(n, f.brought[n] + absorbed(f, n, next.brought[static_cast<Number>(c)]));
+        const Interior* fades = fading(f, medium(f, n));
+        for (int k = 0; k < 3; ++k) {
+            const float brought = next.brought.of[k][c];
+            f.brought.of[k][n] += fades ? brought * absorption(*fades, f.distance[n])[k] : brought;
+        }
     }
     const Numbers before = f.mirrors;
     f.mirrors.count = 0;
@@ -102,23 +105,24 @@ void Tracer::go_through(std::size_t depth, const Numbers& rays, Medium medium, N
         const unsigned passes = bent.are.bits();
         each_lane(chunk.lanes & passes, [&](int i) {
             const Number n = chunk.of[i];
-            branch(f, n, direction, i, f.batch.weight[n] * f.tint[n].largest(), next);
+            branch(f, n, direction, i, f.batch.weight[n] * f.tint.largest(n), next);
         });
         each_lane(chunk.lanes & ~passes, [&](int i) { total_reflection.add(chunk.of[i]); });
     });
     trace(depth + 1);
+    const Interior* fades = fading(f, medium);
     for (int c = 0; c < next.batch.count; ++c) {
         const Number n = next.batch.parent[c];
-        f.brought.set(n, f.brought[n] + f.tint[n] * absorbed(f, n, next.brought[static_cast<Number>(c)]));
+        const Radiance left = fades ? absorption(*fades, f.distance[n]) : Radiance(1.0f);
+        for (int k = 0; k < 3; ++k) f.brought.of[k][n] += f.tint.of[k][n] * (next.brought.of[k][c] * left[k]);
     }
 }
 
-/// What the way to the hit takes, where it led through the medium that was hit: task 3.6.
-Radiance Tracer::absorbed(const Frame& f, Number n, Radiance brought) const {
-    const Medium crossed = medium(f, n);
-    const Interior* interior = interior_of(scene_, crossed);
-    if (interior && f.batch.inside.contains(crossed)) brought *= absorption(*interior, f.distance[n]);
-    return brought;
+/// What takes light on the way to hits that border on `medium`, if that is what the way led through: task 3.6.
+const Interior* Tracer::fading(const Frame& f, Medium medium) const {
+    const Interior* interior = interior_of(scene_, medium);
+    const bool fades = interior && interior->fade_distance > 0 && f.batch.inside.contains(medium);
+    return fades ? interior : nullptr;
 }
 
 void Tracer::mirror(std::size_t depth) {
@@ -132,11 +136,12 @@ void Tracer::mirror(std::size_t depth) {
     if (next.batch.count > 0) trace(depth + 1);
     for (int c = 0; c < next.batch.count; ++c) {
         const Number n = next.batch.parent[c];
-        Radiance brought = next.brought[static_cast<Number>(c)];
         const float exponent = scene_.materials[f.material[n]].finish.reflection.exponent;
-        if (exponent != 1)
-            for (int k = 0; k < 3; ++k) brought[k] = std::pow(std::max(0.0f, brought[k]), exponent);
-        f.brought.set(n, f.brought[n] + f.share[n] * brought);
+        for (int k = 0; k < 3; ++k) {
+            float brought = next.brought.of[k][c];
+            if (exponent != 1) brought = std::pow(std::max(0.0f, brought), exponent);
+            f.brought.of[k][n] += f.share.of[k][n] * brought;
+        }
     }
 }
 

@@ -55,7 +55,7 @@ constexpr LowBits kFourth = low_bits_of([](std::uint32_t i) { return kSobol.at(1
 
 Reals fraction(__m256i x) {
     const __m256i upper = _mm256_srli_epi32(x, 8);
-    const Reals whole(_mm256_cvtepi32_pd(_mm256_castsi256_si128(upper)), _mm256_cvtepi32_pd(_mm256_extracti128_si256(upper, 1)));
+    const Reals whole(upper);
     return whole * Reals(0x1p-24);
 }
 
@@ -87,8 +87,7 @@ Vec2s disc_points(Vec2s u) {
 
 /// All eight, wanted or not: SampleRays has room for them.
 void store(double* to, Reals numbers) {
-    _mm256_storeu_pd(to, numbers.lo);
-    _mm256_storeu_pd(to + 4, numbers.hi);
+    numbers.store_anywhere(to);
 }
 template <class Columns>
 void store(Columns* columns, int at, const Vec3s& vectors) {

@@ -1,10 +1,13 @@
 #include "packets/intersector.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
+#include <type_traits>
 
 #include "2_phong/phong.h"
+#include "4_partitioning/beyond/single_walk.h"
 #include "packets/beam.h"
 #include "packets/spray.h"
 
@@ -49,6 +52,76 @@ private:
     mutable std::optional<SpreadRays> single_;
 };
 
+/// In one lane.
+static Roots roots_of(const Candidate& best, int lane) {
+    return {Mask::of(1u << lane), Reals(best.root.t), Reals(best.root.uv.x), Reals(best.root.uv.y),
+            Reals(static_cast<double>(best.root.part))};
+}
+
+/// Rays of a packet that go through parts of the hierarchy one by one. Its functions stay out of line: inlined, they
+/// take registers from the walk of those that go together, 1.1 of the time.
+class PacketIntersector::Lone {
+public:
+    Lone(const wide::Hierarchy& hierarchy, const Asked& asked) : hierarchy_(hierarchy), asked_(asked) {}
+
+    /// Which of the rays meet something in this part that casts a shadow; `suspect` becomes what.
+    [[gnu::noinline]] unsigned blocked_below(Child part, unsigned rays, std::uint32_t& suspect) {
+        unsigned blocked = 0;
+        each_lane(rays, [&](int i) {
+            auto& [ray, walk] = lane(i);
+            const bool is_blocked = walk.template below<false>(part, [&](std::uint32_t primitive) {
+                if (!hierarchy_.tester.blocks(primitive, ray, asked_.range(i))) return false;
+                suspect = primitive;
+                return true;
+            });
+            if (is_blocked) blocked |= 1u << i;
+        });
+        return blocked;
+    }
+
+    /// True when one of the rays found something nearer.
+    [[gnu::noinline]] bool keep_nearer_below(Child part, unsigned rays, Found& found) {
+        bool nearer = false;
+        each_lane(rays, [&](int i) {
+            auto& [ray, walk] = lane(i);
+            Candidate best;
+            if (found.is().bits() >> i & 1) {
+                best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
+                walk.shorten(best.root.t);
+            }
+            const std::uint32_t before = best.primitive;
+            walk.template below<true>(part, [&](std::uint32_t primitive) {
+                const std::uint32_t previous = best.primitive;
+                hierarchy_.tester.keep_nearer(primitive, ray, asked_.range(i), best);
+                if (best.primitive != previous) walk.shorten(best.root.t);
+                return false;
+            });
+            if (best.primitive != before)
+                nearer |= found.keep_nearer(packets::roots_of(best, i), Mask::of(1u << i), best.primitive);
+        });
+        return nearer;
+    }
+
+private:
+    struct Lane {
+        Lane(const wide::Tree& tree, const Ray& r, Interval range) : ray(r), walk(tree, ray, range) {}
+        const Ray ray;
+        wide::SingleWalk walk;
+    };
+    using Lanes = std::array<std::optional<Lane>, kLanes>;
+
+    Lane& lane(int i) {
+        if (!lanes_) lanes_.emplace();
+        auto& lane = (*lanes_)[static_cast<std::size_t>(i)];
+        if (!lane) lane.emplace(hierarchy_.tree, asked_.single()[i], asked_.range(i));
+        return *lane;
+    }
+
+    const wide::Hierarchy& hierarchy_;
+    const Asked& asked_;
+    std::optional<Lanes> lanes_;
+};
+
 PacketIntersector::PacketIntersector(const Scene& scene)
     : hierarchy_(wide::make_hierarchy(scene)), single_(wide::make_bvh(hierarchy_)) {
     for (const Material& m : scene.materials) clear_materials_.push_back(lets_light_through(m.pigment));
@@ -61,8 +134,8 @@ PacketIntersector::PacketIntersector(const Scene& scene)
 
 /// Asks the primitives that some ray of a beam, or of a spray, may meet until ask(primitive) says enough; near boxes
 /// first, when sorted.
-template <bool sorted, class Front, class Ask>
-void PacketIntersector::walk(Front& front, Ask ask) const {
+template <bool sorted, class Front, class Ask, class AskAlone>
+void PacketIntersector::walk(Front& front, const Ask& ask, const AskAlone& ask_alone) const {
     for (const std::uint32_t primitive : hierarchy_->unbounded)
         if (ask(primitive)) return;
     const wide::Tree& tree = hierarchy_->tree;
@@ -86,11 +159,7 @@ void PacketIntersector::walk(Front& front, Ask ask) const {
         return false;
     };
 
-    struct Open {
-        float enters;
-        std::uint32_t place;  ///< node * 8 + child
-    };
-    Open stack[8 * 80];  // as deep as the hierarchy can be
+    wide::Waiting stack[wide::kMostWaiting];  // what: node * 8 + child
     int size = 0;
     for (std::uint32_t next = 0;;) {
         const wide::Node& node = tree.nodes[next];
@@ -100,16 +169,23 @@ void PacketIntersector::walk(Front& front, Ask ask) const {
             const int i = std::countr_zero(mask);
             int place = size++;
             if constexpr (sorted)
-                for (; place > first && stack[place - 1].enters < enters[i]; --place) stack[place] = stack[place - 1];
-            stack[place] = {enters[i], next * 8 + static_cast<unsigned>(i)};
+                for (; place > first && stack[place - 1].enters() < enters[i]; --place) stack[place] = stack[place - 1];
+            stack[place] = wide::Waiting(enters[i], next * 8 + static_cast<unsigned>(i));
         }
         for (;;) {
             if (size == 0) return;
-            const Open open = stack[--size];
-            if (open.enters > front.far_end()) continue;
-            const wide::Node& parent = tree.nodes[open.place / 8];
-            if (front.rays_that_meet(parent, open.place % 8) == 0) continue;
-            const Child child = parent.child[open.place % 8];
+            const wide::Waiting open = stack[--size];
+            if (open.enters() > front.far_end()) continue;
+            const wide::Node& parent = tree.nodes[open.what() / 8];
+            const unsigned rays = front.rays_that_meet(parent, open.what() % 8);
+            if (rays == 0) continue;
+            const Child child = parent.child[open.what() % 8];
+            if constexpr (!std::is_null_pointer_v<AskAlone>) {
+                if (child.kind() == Child::Kind::node && std::popcount(rays) < kFewestBelow) {
+                    if (ask_alone(rays, child)) return;
+                    continue;
+                }
+            }
             if (child.kind() == Child::Kind::node) {
                 next = child.place();
                 break;
@@ -133,14 +209,14 @@ Mask fit_for_floats(const Rays& rays) {
 /// Calls together(lanes, way) for rays that go the same way, if they are enough, and returns the others. Where there is
 /// little to meet the way does not matter.
 template <class Together>
-unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together together) const {
-    const Directions directions(rays.direction);
+unsigned PacketIntersector::grouped(const Rays& rays, Mask active, const Together& together) const {
     const Mask fit = active & fit_for_floats(rays);
     unsigned alone = (active - fit).bits();
-    if (takes_any_way_ && fit.any()) {
-        together(fit, directions.way(std::countr_zero(fit.bits())));
+    if (takes_any_way_) {
+        if (fit.any()) together(fit, Directions::Way{});
         return alone;
     }
+    const Directions directions(rays.direction);
     for (unsigned rest = fit.bits(); rest != 0;) {
         const unsigned group = directions.like_the_first(rest);
         if (std::popcount(group) < kFewestTogether)
@@ -155,7 +231,7 @@ unsigned PacketIntersector::grouped(const Rays& rays, Mask active, Together toge
 /// Calls walk_with(front) with what boxes see of the rays.
 template <class WalkWith>
 void PacketIntersector::with_front(const Rays& rays, Mask lanes, const Directions::Way& way, const Span& span,
-                                   WalkWith walk_with) const {
+                                   const WalkWith& walk_with) const {
     if (takes_any_way_) {
         Spray spray(rays, lanes, span);
         walk_with(spray);
@@ -169,9 +245,14 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span)
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
         const Asked asked(rays, span, lanes, way.longest_axis, lanes, found.t);
+        Lone lone(*hierarchy_, asked);
         with_front(rays, lanes, way, span, [&](auto& front) {
-            walk<true>(front, [&](std::uint32_t primitive) {
+            const auto ask = [&](std::uint32_t primitive) {
                 if (keep_nearer(primitive, asked, found)) front.end_at(found.t, lanes);
+                return false;
+            };
+            walk<true>(front, ask, [&](unsigned few, Child part) {
+                if (lone.keep_nearer_below(part, few, found)) front.end_at(found.t, lanes);
                 return false;
             });
         });
@@ -205,11 +286,19 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
         };
         if (suspect == kNone || !blocks_all(suspect)) {
             with_front(rays, open, way, span, [&](auto& front) {
-                walk<false>(front, [&](std::uint32_t primitive) {
+                const auto ask = [&](std::uint32_t primitive) {
                     const Mask before = open;
                     if (blocks_all(primitive)) return true;
                     if (before.bits() != open.bits()) front.leave_out(before - open);
                     return false;
+                };
+                Lone lone(*hierarchy_, asked);
+                walk<false>(front, ask, [&](unsigned few, Child part) {
+                    const unsigned now = lone.blocked_below(part, few & open.bits(), suspect);
+                    if (now == 0) return false;
+                    open = open - Mask::of(now);
+                    front.leave_out(Mask::of(now));
+                    return !open.any();
                 });
             });
         }
@@ -236,24 +325,27 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
         Mask open = lanes;
         const Asked asked(rays, {span.near, span.far, true}, lanes, way.longest_axis, open, span.far);
         with_front(rays, lanes, way, span, [&](auto& front) {
-            walk<false>(front, [&](std::uint32_t primitive) {
-                const PrimitiveTester::Dispatch& dispatch = hierarchy_->tester.dispatch(primitive);
-                if (!dispatch.casts) return false;
-                const bool tells_where = has_packet_test(primitive) && !dispatch.iterated;
-                const Roots roots =
-                    tells_where ? roots_of(primitive, asked) : Roots{blocked_by(primitive, asked, open)};
-                const Mask now = roots.is & open;
-                if (!now.any()) return false;
-                if (!clear_materials_[material_of(primitive)]) {
-                    met.opaque = met.opaque | now;
-                    if (tells_where) front.look_between(now, roots.t - Reals(kPassedOver), roots.t);
-                    return false;
-                }
-                met.clear = met.clear | now;
-                open = open - now;
-                front.leave_out(now);
-                return !open.any();
-            });
+            walk<false>(
+                front,
+                [&](std::uint32_t primitive) {
+                    const PrimitiveTester::Dispatch& dispatch = hierarchy_->tester.dispatch(primitive);
+                    if (!dispatch.casts) return false;
+                    const bool tells_where = has_packet_test(primitive) && !dispatch.iterated;
+                    const Roots roots =
+                        tells_where ? roots_of(primitive, asked) : Roots{blocked_by(primitive, asked, open)};
+                    const Mask now = roots.is & open;
+                    if (!now.any()) return false;
+                    if (!clear_materials_[material_of(primitive)]) {
+                        met.opaque = met.opaque | now;
+                        if (tells_where) front.look_between(now, roots.t - Reals(kPassedOver), roots.t);
+                        return false;
+                    }
+                    met.clear = met.clear | now;
+                    open = open - now;
+                    front.leave_out(now);
+                    return !open.any();
+                },
+                nullptr);
         });
     });
     met.clear = met.clear | Mask::of(alone);  // whoever walks from hit to hit finds out
@@ -306,9 +398,7 @@ bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
         if (found.is().bits() >> i & 1) best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
         tester.keep_nearer(primitive, asked.single()[i], asked.range(i), best);
         if (best.primitive == primitive)
-            changed |= found.keep_nearer({Mask::of(1u << i), Reals(best.root.t), Reals(best.root.uv.x),
-                                          Reals(best.root.uv.y), Reals(static_cast<double>(best.root.part))},
-                                         asked.active, primitive);
+            changed |= found.keep_nearer(packets::roots_of(best, i), asked.active, primitive);
     });
     return changed;
 }

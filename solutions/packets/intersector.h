@@ -59,17 +59,19 @@ public:
 private:
     /// Fewer rays are faster one by one; measured (NOTES.md).
     static constexpr int kFewestTogether = 4;
+    static constexpr int kFewestBelow = 3;  ///< where a part of the hierarchy is concerned
 
     class Asked;
     std::uint32_t material_of(std::uint32_t primitive) const;
     bool has_packet_test(std::uint32_t primitive) const;
     template <class Together>
-    unsigned grouped(const Rays& rays, Mask active, Together together) const;
+    unsigned grouped(const Rays& rays, Mask active, const Together& together) const;
     template <class WalkWith>
     void with_front(const Rays& rays, Mask lanes, const Directions::Way& way, const Span& span,
-                    WalkWith walk_with) const;
-    template <bool sorted, class Front, class Ask>
-    void walk(Front& front, Ask ask) const;
+                    const WalkWith& walk_with) const;
+    class Lone;
+    template <bool sorted, class Front, class Ask, class AskAlone>
+    void walk(Front& front, const Ask& ask, const AskAlone& ask_alone) const;
     Roots roots_of(std::uint32_t primitive, const Asked& asked) const;
     bool keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const;
     Mask blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const;

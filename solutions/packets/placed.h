@@ -15,7 +15,7 @@ bool has_packet_test(const Scene& scene, const Object& object);
 /// ones that stand in world space only: sheared() gives ShearedRays.
 template <class Sheared>
 Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
-                       Sheared sheared);
+                       const Sheared& sheared);
 
 /// Which points are inside? Of objects that clip others.
 Mask inside(const Scene& scene, const Object& object, const Vec3s& points);
@@ -33,7 +33,7 @@ Vec3s normal(const Quadric& quadric, const Vec3s& point);
 /// In the shape's own space, clips not considered.
 template <class Sheared>
 Roots intersect_shape(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
-                      Sheared sheared) {
+                      const Sheared& sheared) {
     const std::uint32_t shape = object.shape;
     switch (object.kind) {
         case ShapeKind::sphere:
@@ -64,7 +64,7 @@ Roots intersect_shape(const Scene& scene, const Object& object, std::uint32_t pa
 /// In the shape's own space; `rays` are those of the world, in which clips stand.
 template <class Sheared>
 Roots intersect_clipped(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays,
-                        const Rays& local, const Span& span, Sheared sheared) {
+                        const Rays& local, const Span& span, const Sheared& sheared) {
     if (object.clip == kNone) return intersect_shape(scene, object, part, local, span, sheared);
     // As in step 1: a root that is cut away sends the question on behind it.
     Span rest = span;
@@ -92,7 +92,7 @@ Roots intersect_clipped(const Scene& scene, const Object& object, std::uint32_t 
 
 template <class Sheared>
 Roots intersect_placed(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays, const Span& span,
-                       Sheared sheared) {
+                       const Sheared& sheared) {
     if (object.transform == kNone) return intersect_clipped(scene, object, part, rays, rays, span, sheared);
     const Transform& t = scene.transforms[object.transform];
     const Rays local(times(t.inverse_linear, rays.origin) + Vec3s(t.inverse_offset),

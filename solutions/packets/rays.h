@@ -38,7 +38,7 @@ struct SpreadRays {
 
 /// Calls what(lane) for every lane that is set.
 template <class What>
-void each_lane(unsigned bits, What what) {
+void each_lane(unsigned bits, const What& what) {
     for (; bits != 0; bits &= bits - 1) what(__builtin_ctz(bits));
 }
 
@@ -46,8 +46,8 @@ void each_lane(unsigned bits, What what) {
 class Directions {
 public:
     struct Way {
-        int longest_axis;
-        bool forwards[3];  ///< or not at all
+        int longest_axis = 0;
+        bool forwards[3] = {};  ///< or not at all
     };
 
     explicit Directions(const Vec3s& d) {

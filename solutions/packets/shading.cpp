@@ -70,8 +70,8 @@ Vec3s places_of(const Light& light, std::size_t number, const SampleRays* sample
     const auto component = [&](std::size_t a) {
         const auto& column = samples->light[3 * number + a];
         const Number* const of = at.tree;
-        return Reals(_mm256_setr_pd(column[of[0]], column[of[1]], column[of[2]], column[of[3]]),
-                     _mm256_setr_pd(column[of[4]], column[of[5]], column[of[6]], column[of[7]]));
+        return Reals(column[of[0]], column[of[1]], column[of[2]], column[of[3]], column[of[4]], column[of[5]],
+                     column[of[6]], column[of[7]]);
     };
     return {component(0), component(1), component(2)};
 }
@@ -164,7 +164,7 @@ void set_pigment(const Scene& scene, const Pigment& pigment, Surfaces& at) {
 Reals power(Mask lanes, Reals x, double exponent) {
     const Reals base = select(lanes, x, Reals(1));
     const __m256d e = _mm256_set1_pd(exponent);
-    return {_ZGVdN4vv_pow(base.lo, e), _ZGVdN4vv_pow(base.hi, e)};
+    return {_ZGVdN4vv_pow(base.first_four(), e), _ZGVdN4vv_pow(base.last_four(), e)};
 }
 
 Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,

@@ -19,7 +19,7 @@ class CameraRays {
 public:
     CameraRays(const Camera& camera, const Raster& raster, Block block, Vec2 offset) : camera_(camera) {
         static_assert(Block::kSide == kLanes);
-        const Reals count(_mm256_setr_pd(0, 1, 2, 3), _mm256_setr_pd(4, 5, 6, 7));
+        const Reals count(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
         const Reals from_left = (Reals(block.x) + count + Reals(0.5) + Reals(offset.x)) / Reals(raster.width);
         const Reals from_top = (Reals(block.y) + count + Reals(0.5) + Reals(offset.y)) / Reals(raster.height);
         column_ = from_left - Reals(0.5);
@@ -29,7 +29,7 @@ public:
     /// Those from `first` on: two rows of four pixels.
     Rays eight(int first) const {
         const int row = first / (2 * Block::kSide) * 2;
-        const __m256d columns = first / kLanes % 2 == 0 ? column_.lo : column_.hi;
+        const __m256d columns = first / kLanes % 2 == 0 ? column_.first_four() : column_.last_four();
         const Reals x(columns, columns), y(_mm256_set1_pd(row_[row]), _mm256_set1_pd(row_[row + 1]));
         const Vec3s right(camera_.right), up(camera_.up), direction(camera_.direction), location(camera_.location);
         if (camera_.kind == Camera::Kind::orthographic) return {location + x * right + y * up, normalize(direction)};
@@ -61,6 +61,7 @@ void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const 
     first.batch.inside = inside;
     add_camera_rays(raster, block, offset, first);
     trace(0);
+    if (first.batch.count == Block::kSize) return first.brought.add_to(sum);
     for (int n = 0; n < first.batch.count; ++n) sum[first.batch.pixel[n]] += first.brought[static_cast<Number>(n)];
 }
 
@@ -169,10 +170,11 @@ void Tracer::tilt(const Frame& f, const Chunk& chunk, Surfaces& at) const {
 /// Finds what the rays meet. The others bring the background. Returns the numbers of those that meet something.
 Numbers Tracer::meet(Frame& f) const {
     Numbers met;
+    const Radiances background(scene_.background);
     const auto meet_chunk = [&](const Chunk& chunk) {
         const Hits hits =
             intersector_.nearest(f.batch.load(chunk), Mask::of(chunk.lanes), {Reals(kNearest), Reals(kFarthest)});
-        each_lane(chunk.lanes & ~hits.are, [&](int i) { f.brought.set(chunk.of[i], scene_.background); });
+        f.brought.store(chunk, chunk.lanes & ~hits.are, background);
         if (chunk.is_run && hits.are == kAllLanes) {
             const Number first = chunk.of[0];
             std::copy(hits.t.lane, hits.t.lane + kLanes, f.distance + first);

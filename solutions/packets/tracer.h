@@ -64,7 +64,7 @@ private:
 
     /// Adds a ray of `next` that starts where ray `parent` of `from` met something, unless it is pruned: task 3.8.
     void branch(const Frame& from, Number parent, const Spread3& directions, int lane, float weight, Frame& next);
-    Radiance absorbed(const Frame& frame, Number ray, Radiance brought) const;
+    const Interior* fading(const Frame& frame, Medium medium) const;
     Medium medium(const Frame& frame, Number ray) const { return medium_of(scene_, frame.object[ray]); }
 
     const Scene& scene_;

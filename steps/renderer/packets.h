@@ -14,9 +14,10 @@ namespace rays {
 /// four.
 struct Block {
     static constexpr int kSide = 8, kSize = kSide * kSide;
+    static constexpr int kRun = 4;  ///< so many that follow each other are side by side
 
     int x = 0, y = 0;
-    int column(int i) const { return x + i / 8 % 2 * 4 + i % 4; }
+    int column(int i) const { return x + i / 8 % 2 * kRun + i % kRun; }
     int row(int i) const { return y + i / 16 * 2 + i % 8 / 4; }
 };
 

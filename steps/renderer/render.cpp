@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <thread>
 #include <vector>
 
@@ -43,6 +45,7 @@ public:
             for (int i = 0; i < side_; ++i)
                 what(Vec2((i + Real(0.5)) / side_ - Real(0.5), (j + Real(0.5)) / side_ - Real(0.5)));
     }
+    float weight() const { return weight_; }
     Radiance mean(const Radiance& sum) const { return weight_ * sum; }
 
 private:
@@ -65,21 +68,46 @@ void render_row(World& world, const CameraMedia& media, const RenderOptions& opt
     }
 }
 
+/// What the pixels of a block have gathered. Copied and emptied as a whole: pixel by pixel that took as long as finding
+/// out that nothing is there.
+class Gathered {
+public:
+    Radiance sum[Block::kSize];
+    double pruned[Block::kSize] = {};
+
+    /// Moves the light, times `weight`, to the film: `is_whole`, or as far as the block is in the picture.
+    void move_light(const Block& block, float weight, Film& film) {
+        const Raster& raster = film.raster();
+        const bool is_whole = block.x + Block::kSide <= raster.width && block.y + Block::kSide <= raster.height;
+        for (int i = 0; i < Block::kSize; i += Block::kRun) {
+            const int x = block.column(i), y = block.row(i);
+            if (!is_whole && y >= raster.height) continue;
+            const int count = is_whole ? Block::kRun : std::clamp(raster.width - x, 0, Block::kRun);
+            for (int k = 0; k < count; ++k)
+                for (int c = 0; c < 4; ++c) film.at(x + k, y)[c] = weight * sum[i + k][c];
+        }
+        std::fill(std::begin(sum), std::end(sum), Radiance());
+    }
+    void move_pruned(const Block& block, int samples, Residuals& residuals) {
+        static constexpr double kNothing[Block::kSize] = {};
+        if (std::memcmp(pruned, kNothing, sizeof pruned) == 0) return;
+        for (int i = 0; i < Block::kSize; ++i)
+            if (pruned[i] != 0) residuals.add(block.column(i), block.row(i), pruned[i] / samples);
+        std::fill(std::begin(pruned), std::end(pruned), 0.0);
+    }
+};
+
 /// The rows y, y + 1, .. that packets cover, as far as they are in the picture.
 void render_packets(PacketTracer& tracer, const Inside& media, const RenderOptions& options, int y, Film& film,
                     Residuals& residuals) {
     const Grid grid(options.samples);
-    const Raster& raster = options.raster;
-    for (Block block{0, y}; block.x < raster.width; block.x += Block::kSide) {
-        Radiance sum[Block::kSize];
-        double pruned[Block::kSize] = {};
-        grid.each([&](Vec2 offset) { tracer.add_radiance(raster, block, offset, media, sum, pruned); });
-        for (int i = 0; i < Block::kSize; ++i) {
-            const int column = block.column(i), row = block.row(i);
-            if (column >= raster.width || row >= raster.height) continue;
-            film.at(column, row) = grid.mean(sum[i]);
-            if (pruned[i] != 0) residuals.add(column, row, pruned[i] / options.samples);
-        }
+    Gathered gathered;
+    for (Block block{0, y}; block.x < options.raster.width; block.x += Block::kSide) {
+        grid.each([&](Vec2 offset) {
+            tracer.add_radiance(options.raster, block, offset, media, gathered.sum, gathered.pruned);
+        });
+        gathered.move_light(block, grid.weight(), film);
+        gathered.move_pruned(block, options.samples, residuals);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <future>
 #include <type_traits>
@@ -25,14 +26,30 @@ public:
     enum class Kind : std::uint32_t { node, list, triangles, spheres, cones };
 
     Child() = default;
+    explicit Child(std::uint32_t bits) : bits_(bits) {}
     Child(Kind kind, std::size_t place)
         : bits_(static_cast<std::uint32_t>(kind) << 29 | static_cast<std::uint32_t>(place)) {}
     Kind kind() const { return static_cast<Kind>(bits_ >> 29); }
     std::uint32_t place() const { return bits_ & 0x1fffffff; }
+    std::uint32_t bits() const { return bits_; }
 
 private:
     std::uint32_t bits_;  // without a value of its own: stacks of these cost nothing to make
 };
+
+/// What is still to be looked at, and where a ray enters it. One word: who loads at once what was stored in two waits.
+class Waiting {
+public:
+    Waiting() = default;
+    Waiting(float enters, std::uint32_t what)
+        : both_(std::uint64_t(std::bit_cast<std::uint32_t>(enters)) << 32 | what) {}
+    float enters() const { return std::bit_cast<float>(static_cast<std::uint32_t>(both_ >> 32)); }
+    std::uint32_t what() const { return static_cast<std::uint32_t>(both_); }
+
+private:
+    std::uint64_t both_;  // without a value of its own, either
+};
+inline constexpr int kMostWaiting = 8 * 80;  ///< splits stop being uneven at depth 64; then halves of 2^32 items
 
 /// Eight children and their boxes.
 struct alignas(64) Node : Boxes {

@@ -1,0 +1,112 @@
+// One ray's way through the hierarchy, or through a part of it.
+#pragma once
+
+#include <bit>
+#include <optional>
+
+#include "4_partitioning/beyond/box_ray.h"
+#include "4_partitioning/beyond/wide_tree.h"
+#include "4_partitioning/effort.h"
+
+namespace rays::wide {
+
+class SingleWalk {
+public:
+    /// Of a ray that goes forward: 0 <= range.min. The ray must outlive it.
+    SingleWalk(const Tree& tree, const Ray& ray, Interval range)
+        : tree_(tree), ray_(ray), range_(range), box_ray_(ray, range) {
+        far_ = range.max < kMaxFloat ? above(range.max) : kMaxFloat;
+    }
+
+    /// From now on nothing behind t counts.
+    void shorten(Real t) {
+        box_ray_.shorten(t);
+        far_ = above(t);
+    }
+
+    /// Asks the primitives below `from` that the ray may meet until ask(primitive) says enough, and says whether it
+    /// did; near boxes first, when sorted.
+    template <bool sorted, class Ask>
+    bool below(Child from, const Ask& ask) {
+        Stack stack;
+        for (Waiting next(0, from.bits());;) {
+            if (descend<sorted>(next, stack) && ask_leaf(Child(next.what()), ask)) return true;
+            do {
+                if (stack.size == 0) return false;
+                next = stack.waiting[--stack.size];
+            } while (next.enters() > far_);
+        }
+    }
+
+private:
+    struct Stack {
+        Waiting waiting[kMostWaiting];
+        int size = 0;
+    };
+
+    /// Down from `next` to a leaf, always to the nearest child when sorted; the other children that the ray meets wait
+    /// on the stack, nearer ones on top. False when it meets no leaf: then there is nothing in hand.
+    template <bool sorted>
+    bool descend(Waiting& next, Stack& stack) const {
+        for (Child child(next.what()); child.kind() == Child::Kind::node; child = Child(next.what())) {
+            if (effort) [[unlikely]]
+                ++effort->nodes;
+            const Node& node = tree_.nodes[child.place()];
+            alignas(32) float enters[kWidth];
+            unsigned mask = box_ray_.meets(node, enters);
+            if (mask == 0) return false;
+            const auto next_child = [&] {
+                const int i = std::countr_zero(mask);
+                mask &= mask - 1;
+                return Waiting(enters[i], node.child[i].bits());
+            };
+            next = next_child();
+            for (const int first = stack.size; mask != 0;) {
+                Waiting other = next_child();
+                if (sorted && other.enters() < next.enters()) std::swap(other, next);
+                int place = stack.size++;
+                if constexpr (sorted)
+                    for (; place > first && stack.waiting[place - 1].enters() < other.enters(); --place)
+                        stack.waiting[place] = stack.waiting[place - 1];
+                stack.waiting[place] = other;
+            }
+        }
+        return true;
+    }
+
+    template <class Ask>
+    bool ask_leaf(Child leaf, const Ask& ask) {
+        const auto in = [&](const auto& blocks) -> const auto& { return blocks[leaf.place()]; };
+        switch (leaf.kind()) {
+            case Child::Kind::triangles:
+                return ask_block(in(tree_.triangles), in(tree_.triangles).primitive, triangle_ray_, ask);
+            case Child::Kind::spheres:
+                return ask_block(in(tree_.spheres), in(tree_.spheres).primitive, sphere_ray_, ask);
+            case Child::Kind::cones:
+                return ask_block(in(tree_.cones), in(tree_.cones).around.primitive, sphere_ray_, ask);
+            default: break;
+        }
+        const std::uint32_t* list = &tree_.lists[leaf.place()];
+        for (std::uint32_t k = 1; k <= list[0]; ++k)
+            if (ask(list[k])) return true;
+        return false;
+    }
+
+    template <class Block, class Numbers, class BlockRay, class Ask>
+    bool ask_block(const Block& block, const Numbers& numbers, std::optional<BlockRay>& block_ray, const Ask& ask) {
+        if (!block_ray) block_ray.emplace(ray_, range_);
+        for (unsigned mask = block_ray->may_meet(block, far_); mask != 0; mask &= mask - 1)
+            if (ask(numbers[std::countr_zero(mask)])) return true;
+        return false;
+    }
+
+    const Tree& tree_;
+    const Ray& ray_;
+    Interval range_;
+    BoxRay box_ray_;
+    float far_;
+    std::optional<TriangleRay> triangle_ray_;
+    std::optional<SphereRay> sphere_ray_;
+};
+
+}  // namespace rays::wide

@@ -1,0 +1,125 @@
+// Eight doubles in two registers of four: any processor with AVX2.
+#pragma once
+
+#include <immintrin.h>
+
+#include <cstdint>
+
+namespace rays::packets {
+
+/// For each lane yes (all bits) or no (none).
+struct Mask {
+    __m256d lo, hi;
+
+    unsigned bits() const { return static_cast<unsigned>(_mm256_movemask_pd(lo) | _mm256_movemask_pd(hi) << 4); }
+    bool any() const { return bits() != 0; }
+
+    static Mask of(unsigned bits) {
+        const __m256i all = _mm256_set1_epi64x(bits);
+        const __m256i first = _mm256_setr_epi64x(1, 2, 4, 8), second = _mm256_setr_epi64x(16, 32, 64, 128);
+        return {_mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(all, first), first)),
+                _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(all, second), second))};
+    }
+
+    friend Mask operator&(Mask a, Mask b) { return {_mm256_and_pd(a.lo, b.lo), _mm256_and_pd(a.hi, b.hi)}; }
+    friend Mask operator|(Mask a, Mask b) { return {_mm256_or_pd(a.lo, b.lo), _mm256_or_pd(a.hi, b.hi)}; }
+    friend Mask operator^(Mask a, Mask b) { return {_mm256_xor_pd(a.lo, b.lo), _mm256_xor_pd(a.hi, b.hi)}; }
+    /// a, but where b.
+    friend Mask operator-(Mask a, Mask b) { return {_mm256_andnot_pd(b.lo, a.lo), _mm256_andnot_pd(b.hi, a.hi)}; }
+};
+
+/// Eight of `Real`, which is double here.
+struct Reals {
+    __m256d lo, hi;
+
+    Reals() = default;
+    Reals(__m256d l, __m256d h) : lo(l), hi(h) {}
+    Reals(double a, double b, double c, double d, double e, double f, double g, double h)
+        : lo(_mm256_setr_pd(a, b, c, d)), hi(_mm256_setr_pd(e, f, g, h)) {}
+    explicit Reals(__m256i whole)
+        : lo(_mm256_cvtepi32_pd(_mm256_castsi256_si128(whole))),
+          hi(_mm256_cvtepi32_pd(_mm256_extracti128_si256(whole, 1))) {}
+    Reals(double all) : lo(_mm256_set1_pd(all)), hi(lo) {}  // NOLINT: a number stands for eight of it
+    static Reals load(const double* aligned) { return {_mm256_load_pd(aligned), _mm256_load_pd(aligned + 4)}; }
+    void store(double* aligned) const {
+        _mm256_store_pd(aligned, lo);
+        _mm256_store_pd(aligned + 4, hi);
+    }
+
+    static Reals load_anywhere(const double* from) { return {_mm256_loadu_pd(from), _mm256_loadu_pd(from + 4)}; }
+    void store_anywhere(double* to) const {
+        _mm256_storeu_pd(to, lo);
+        _mm256_storeu_pd(to + 4, hi);
+    }
+    __m256d first_four() const { return lo; }
+    __m256d last_four() const { return hi; }
+    __m256 narrow() const { return _mm256_set_m128(_mm256_cvtpd_ps(hi), _mm256_cvtpd_ps(lo)); }
+
+    friend Reals operator+(Reals a, Reals b) { return {a.lo + b.lo, a.hi + b.hi}; }
+    friend Reals operator-(Reals a, Reals b) { return {a.lo - b.lo, a.hi - b.hi}; }
+    friend Reals operator*(Reals a, Reals b) { return {a.lo * b.lo, a.hi * b.hi}; }
+    friend Reals operator/(Reals a, Reals b) { return {a.lo / b.lo, a.hi / b.hi}; }
+    Reals operator-() const {
+        const __m256d sign = _mm256_set1_pd(-0.0);
+        return {_mm256_xor_pd(lo, sign), _mm256_xor_pd(hi, sign)};
+    }
+
+    // As in C++, a comparison with a NaN is false, but for !=.
+    friend Mask operator<(Reals a, Reals b) { return compared<_CMP_LT_OQ>(a, b); }
+    friend Mask operator>(Reals a, Reals b) { return compared<_CMP_GT_OQ>(a, b); }
+    friend Mask operator<=(Reals a, Reals b) { return compared<_CMP_LE_OQ>(a, b); }
+    friend Mask operator>=(Reals a, Reals b) { return compared<_CMP_GE_OQ>(a, b); }
+    friend Mask operator==(Reals a, Reals b) { return compared<_CMP_EQ_OQ>(a, b); }
+
+private:
+    template <int how>
+    static Mask compared(Reals a, Reals b) {
+        return {_mm256_cmp_pd(a.lo, b.lo, how), _mm256_cmp_pd(a.hi, b.hi, how)};
+    }
+};
+
+inline Reals select(Mask where, Reals then, Reals otherwise) {
+    return {_mm256_blendv_pd(otherwise.lo, then.lo, where.lo), _mm256_blendv_pd(otherwise.hi, then.hi, where.hi)};
+}
+inline Reals sqrt(Reals a) { return {_mm256_sqrt_pd(a.lo), _mm256_sqrt_pd(a.hi)}; }
+inline Reals floor(Reals a) { return {_mm256_floor_pd(a.lo), _mm256_floor_pd(a.hi)}; }
+inline Reals abs(Reals a) {
+    const __m256d sign = _mm256_set1_pd(-0.0);
+    return {_mm256_andnot_pd(sign, a.lo), _mm256_andnot_pd(sign, a.hi)};
+}
+/// As std::max and std::min: the first one when they are equal.
+inline Reals max(Reals a, Reals b) { return {_mm256_max_pd(b.lo, a.lo), _mm256_max_pd(b.hi, a.hi)}; }
+inline Reals min(Reals a, Reals b) { return {_mm256_min_pd(b.lo, a.lo), _mm256_min_pd(b.hi, a.hi)}; }
+/// |size| with the sign of `sign`.
+inline Reals copysign(Reals size, Reals sign) {
+    const __m256d bit = _mm256_set1_pd(-0.0);
+    return {_mm256_or_pd(_mm256_andnot_pd(bit, size.lo), _mm256_and_pd(bit, sign.lo)),
+            _mm256_or_pd(_mm256_andnot_pd(bit, size.hi), _mm256_and_pd(bit, sign.hi))};
+}
+/// a b + c, rounded once.
+inline Reals fma(Reals a, Reals b, Reals c) {
+    return {_mm256_fmadd_pd(a.lo, b.lo, c.lo), _mm256_fmadd_pd(a.hi, b.hi, c.hi)};
+}
+
+/// A mask as floats see it.
+using FloatMask = __m256;
+inline FloatMask narrow(Mask m) {
+    const __m256 mixed = _mm256_shuffle_ps(_mm256_castpd_ps(m.lo), _mm256_castpd_ps(m.hi), 0x88);
+    return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(mixed), 0xd8));
+}
+/// As doubles see it.
+inline Mask widen(FloatMask mask) {
+    const __m256i bits = _mm256_castps_si256(mask);
+    return {_mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm256_castsi256_si128(bits))),
+            _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm256_extracti128_si256(bits, 1)))};
+}
+template <int how>
+FloatMask compared(__m256 a, __m256 b) {
+    return _mm256_cmp_ps(a, b, how);
+}
+inline __m256 select(FloatMask where, __m256 then, __m256 otherwise) {
+    return _mm256_blendv_ps(otherwise, then, where);
+}
+inline unsigned bits_of(FloatMask mask) { return static_cast<unsigned>(_mm256_movemask_ps(mask)); }
+
+}  // namespace rays::packets
