@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "packets/camera_samples.h"
 #include "packets/tracer.h"
 
@@ -34,6 +35,11 @@ private:
 }  // namespace packets
 
 std::unique_ptr<Packets> make_packets(const Scene& scene) {
+#ifdef __AVX512DQ__
+    if (!__builtin_cpu_supports("avx512dq"))
+        throw InputError("this program was built for processors with AVX-512, which this one has not; build it here, "
+                         "or with cmake -DRAYSTEPS_AVX512=OFF");
+#endif
     // Below 0, what weighs nothing is traced, too: that is for single rays.
     if (!(scene.settings.adc_bailout >= 0) || scene.settings.max_trace_level < 1) return nullptr;
     return std::make_unique<packets::ScenePackets>(scene);

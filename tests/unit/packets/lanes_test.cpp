@@ -1,10 +1,9 @@
 // Lanes do what single numbers do, for numbers of every kind.
+#include <algorithm>
 #include <limits>
-#include <random>
 
 #include "eight.h"
 #include "packets/lanes.h"
-#include "packets/shading.h"
 
 namespace rays::packets::tests {
 namespace {
@@ -95,6 +94,26 @@ TEST(Lanes, MultiplyAndAddWithOneRounding) {
     expect_lanes("two roundings", Reals(1 + e) * Reals(1 - e) + Reals(-1), [](std::size_t) { return 0.0; });
 }
 
+TEST(Lanes, AreFilledFromAnywhereAndEmptiedIntoIt) {
+    const auto expected = [](std::size_t i) { return double(i) + 1; };
+    double room[kLanes + 1] = {-1, 1, 2, 3, 4, 5, 6, 7, 8}, copy[kLanes + 1] = {};
+    const Reals loaded = Reals::load_anywhere(room + 1);
+    expect_lanes("loaded", loaded, expected);
+    loaded.store_anywhere(copy + 1);
+    for (std::size_t i = 0; i < kLanes; ++i) EXPECT_EQ(copy[i + 1], expected(i));
+    EXPECT_EQ(copy[0], 0);
+    expect_lanes("named", Reals(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0), expected);
+    expect_lanes("whole", Reals(_mm256_setr_epi32(1, 2, 3, 4, 5, 6, 7, 8)), expected);
+    expect_lanes("halves", Reals(loaded.first_four(), loaded.last_four()), expected);
+}
+
+TEST(Lanes, TakeTheFirstOfEqualsAsTheStandardLibraryDoes) {
+    each_pairing([](const Lanes<double>& a, const Lanes<double>& b) {
+        expect_lanes("max", max(together(a), together(b)), [&](std::size_t i) { return std::max(a[i], b[i]); });
+        expect_lanes("min", min(together(a), together(b)), [&](std::size_t i) { return std::min(a[i], b[i]); });
+    });
+}
+
 TEST(Lanes, FloatsAreRoundedAsCastsAreAndStayInTheirLanes) {
     const Lanes<double> values{0.1, -0.1, 1e-50, 1e50, 16777217, 1 + 0x1p-24, 1 + 0x1.8p-24, -7};
     alignas(32) float floats[kLanes];
@@ -108,42 +127,6 @@ TEST(Lanes, ColoursAreBlackWhereAllThreeAreNothing) {
     EXPECT_EQ(is_not_black({some, none, none}).bits(), seen);
     EXPECT_EQ(is_not_black({none, some, none}).bits(), seen);
     EXPECT_EQ(is_not_black({none, none, some}).bits(), seen);
-}
-
-/// In units of the last place of `b`.
-double ulps_between(double a, double b) { return std::abs(a - b) / (std::nextafter(std::abs(b), kInf) - std::abs(b)); }
-
-TEST(Power, IsThatOfSingleNumbersToFiveUnitsInTheLastPlace) {
-    // libmvec promises 4 units, the scalar function less than 1.
-    std::mt19937_64 bits(1);
-    const auto unit = [&] { return double(bits() >> 11) * 0x1p-53; };
-    int asked = 0, floats_differ = 0;
-    for (int n = 0; n < 20'000; ++n) {
-        const double exponent = n % 3 == 0   ? std::exp(16 * unit() - 8)
-                                : n % 3 == 1 ? double(bits() % 200)
-                                             : 1 / (0.001 + unit());
-        Lanes<double> base;
-        for (double& x : base)
-            x = n % 2 ? unit() + 1e-300 : 1 - 0.01 * unit();  // cosines near 1 are what highlights ask
-        const unsigned lanes = n % 4 ? kAllLanes : unsigned(bits()) & kAllLanes;
-        const Spread got(power(Mask::of(lanes), together(base), exponent));
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            if (!(lanes >> i & 1)) {
-                EXPECT_EQ(got[int(i)], 1) << "a lane that is not asked";
-                continue;
-            }
-            const double truth = std::pow(base[i], exponent);
-            if (truth < 1e-290) {  // units in the last place lose their meaning
-                EXPECT_NEAR(got[int(i)], truth, 1e-290);
-                continue;
-            }
-            ASSERT_LE(ulps_between(got[int(i)], truth), 5) << base[i] << " to the " << exponent;
-            ++asked;
-            floats_differ += float(got[int(i)]) != float(truth);
-        }
-    }
-    EXPECT_GT(asked, 50'000);
-    EXPECT_LE(floats_differ, 1) << "of " << asked << ": as floats, the last bits of doubles are hardly ever seen";
 }
 
 }  // namespace
