@@ -14,7 +14,7 @@ using Number = std::uint8_t;  ///< of a ray in its batch, or of a pixel in its b
 /// Numbers of rays, in some order.
 struct Numbers {
     int count = 0;
-    Number of[Block::kSize];
+    Number of[Block::kMost];
 
     void add(Number n) { of[count++] = n; }
     const Number* begin() const { return of; }
@@ -65,7 +65,7 @@ void each_chunk(const Numbers& numbers, const What& what) {
 
 /// Vectors and light side by side, component by component.
 struct VectorColumns {
-    double of[3][Block::kSize];
+    double of[3][Block::kMost];
 
     Vec3s load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
     void store(int first, const Vec3s& v) {
@@ -94,7 +94,7 @@ void each_chunk_by_way(const VectorColumns& direction, int count, const What& wh
         return (x < 0) | (y < 0) << 1 | (z < 0) << 2 | axis << 3;
     };
     constexpr int kWays = 24;
-    int way[Block::kSize], begin[kWays + 1] = {}, next[kWays];
+    int way[Block::kMost], begin[kWays + 1] = {}, next[kWays];
     for (int n = 0; n < count; ++n) ++begin[(way[n] = way_of(n)) + 1];
     for (int w = 0; w < kWays; ++w) begin[w + 1] += begin[w];
     std::copy(begin, begin + kWays, next);
@@ -106,7 +106,7 @@ void each_chunk_by_way(const VectorColumns& direction, int count, const What& wh
 }
 
 struct LightColumns {
-    float of[3][Block::kSize];
+    float of[3][Block::kMost];
 
     Radiances load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
     Radiance operator[](Number n) const { return {of[0][n], of[1][n], of[2][n]}; }
@@ -116,9 +116,9 @@ struct LightColumns {
     void set(Number n, const Radiance& light) {
         for (int c = 0; c < 3; ++c) of[c][n] = light[c];
     }
-    /// All of them, to radiances side by side.
-    void add_to(Radiance (&sum)[Block::kSize]) const {
-        for (int n = 0; n < Block::kSize; n += 4) {
+    /// The first `count`, a multiple of 4, to radiances side by side.
+    void add_to(Radiance (&sum)[Block::kMost], int count) const {
+        for (int n = 0; n < count; n += 4) {
             __m128 r = _mm_loadu_ps(of[0] + n), g = _mm_loadu_ps(of[1] + n), b = _mm_loadu_ps(of[2] + n),
                    none = _mm_setzero_ps();
             _MM_TRANSPOSE4_PS(r, g, b, none);
@@ -149,9 +149,9 @@ struct Batch {
     bool straight = false;  ///< as in Branch
     Inside inside;          ///< as in Branch
     VectorColumns origin, direction;
-    float weight[Block::kSize];
-    Number pixel[Block::kSize];   ///< whose tree it is in
-    Number parent[Block::kSize];  ///< the ray of the batch above that it comes from
+    float weight[Block::kMost];
+    Number pixel[Block::kMost];   ///< whose tree it is in
+    Number parent[Block::kMost];  ///< the ray of the batch above that it comes from
 
     Ray ray(Number n) const {
         return {{origin.of[0][n], origin.of[1][n], origin.of[2][n]},

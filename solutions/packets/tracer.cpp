@@ -17,29 +17,35 @@ Numbers all_of(int count) {
 /// Step 1's camera_ray for the pixels of a block, directions made of unit length.
 class CameraRays {
 public:
-    CameraRays(const Camera& camera, const Raster& raster, Block block, Vec2 offset) : camera_(camera) {
-        static_assert(Block::kSide == kLanes);
-        const Reals count(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
-        const Reals from_left = (Reals(block.x) + count + Reals(0.5) + Reals(offset.x)) / Reals(raster.width);
-        const Reals from_top = (Reals(block.y) + count + Reals(0.5) + Reals(offset.y)) / Reals(raster.height);
-        column_ = from_left - Reals(0.5);
-        row_ = Spread(Reals(0.5) - from_top);
+    CameraRays(const Camera& camera, const Raster& raster, Block block, Vec2 offset)
+        : camera_(camera), parts_(block.side / kLanes) {
+        for (int part = 0; part < parts_; ++part) {
+            const Reals count = Reals(double(part * kLanes)) + Reals(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
+            const Reals from_left = (Reals(block.x) + count + Reals(0.5) + Reals(offset.x)) / Reals(raster.width);
+            const Reals from_top = (Reals(block.y) + count + Reals(0.5) + Reals(offset.y)) / Reals(raster.height);
+            column_[part] = from_left - Reals(0.5);
+            row_[part] = Spread(Reals(0.5) - from_top);
+        }
     }
 
     /// Those from `first` on: two rows of four pixels.
     Rays eight(int first) const {
-        const int row = first / (2 * Block::kSide) * 2;
-        const __m256d columns = first / kLanes % 2 == 0 ? column_.first_four() : column_.last_four();
-        const Reals x(columns, columns), y(_mm256_set1_pd(row_[row]), _mm256_set1_pd(row_[row + 1]));
+        const int row = first / (2 * parts_ * kLanes) * 2;
+        const Reals& eight = column_[first / (2 * kLanes) % parts_];
+        const __m256d columns = first / kLanes % 2 == 0 ? eight.first_four() : eight.last_four();
+        const Spread& rows = row_[row / kLanes];
+        const Reals x(columns, columns), y(_mm256_set1_pd(rows[row % kLanes]), _mm256_set1_pd(rows[row % kLanes + 1]));
         const Vec3s right(camera_.right), up(camera_.up), direction(camera_.direction), location(camera_.location);
         if (camera_.kind == Camera::Kind::orthographic) return {location + x * right + y * up, normalize(direction)};
         return {location, normalize(direction + x * right + y * up)};
     }
 
 private:
+    static constexpr int kMostParts = Block::kMostSide / kLanes;
     const Camera& camera_;
-    Reals column_;  ///< on the film, from the left to the right edge -1/2 to 1/2
-    Spread row_;    ///< downwards, 1/2 to -1/2
+    int parts_;                 ///< of eight columns and eight rows
+    Reals column_[kMostParts];  ///< on the film, from the left to the right edge -1/2 to 1/2
+    Spread row_[kMostParts];    ///< downwards, 1/2 to -1/2
 };
 
 }  // namespace
@@ -53,7 +59,7 @@ Tracer::Frame& Tracer::frame(std::size_t depth) {
 }
 
 void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
-                          Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) {
+                          Radiance (&sum)[Block::kMost], double (&pruned)[Block::kMost]) {
     pruned_ = pruned;
     Frame& first = frame(0);
     first.batch.count = first.batch.above = first.batch.level = 0;
@@ -61,7 +67,7 @@ void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const 
     first.batch.inside = inside;
     add_camera_rays(raster, block, offset, first);
     trace(0);
-    if (first.batch.count == Block::kSize) return first.brought.add_to(sum);
+    if (first.batch.count == block.size()) return first.brought.add_to(sum, block.size());
     for (int n = 0; n < first.batch.count; ++n) sum[first.batch.pixel[n]] += first.brought[static_cast<Number>(n)];
 }
 
@@ -88,9 +94,9 @@ void Tracer::trace(const SampleRays& rays, const Inside& inside, Radiance (&brou
 
 void Tracer::add_camera_rays(const Raster& raster, Block block, Vec2 offset, Frame& frame) const {
     Batch& batch = frame.batch;
-    std::fill(batch.weight, batch.weight + Block::kSize, 1.0f);
+    std::fill(batch.weight, batch.weight + block.size(), 1.0f);
     const CameraRays camera_rays(scene_.camera, raster, block, offset);
-    for (int first = 0; first < Block::kSize; first += kLanes) {
+    for (int first = 0; first < block.size(); first += kLanes) {
         const Rays rays = camera_rays.eight(first);
         if (block.column(first + 3) < raster.width && block.row(first + 4) < raster.height) {
             batch.origin.store(batch.count, rays.origin);
@@ -210,7 +216,7 @@ void Tracer::light(Frame& f, const Numbers& hits) {
     const bool goes_on = lets_light_through(material.pigment) || !mirror.max.is_black() || !mirror.min.is_black();
     each_chunk(hits, [&](const Chunk& chunk) {
         Surfaces at = surfaces_at(scene_, Mask::of(chunk.lanes), f.point.load(chunk), f.normal.load(chunk),
-                                        -f.batch.direction.load(chunk), material);
+                                  -f.batch.direction.load(chunk), material);
         for (int i = 0; i < kLanes; ++i) at.object[i] = f.object[chunk.of[i]];
         if (samples_) {
             for (int i = 0; i < kLanes; ++i) at.tree[i] = f.batch.pixel[chunk.of[i]];

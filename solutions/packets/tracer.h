@@ -17,7 +17,7 @@ public:
     Tracer(const PacketIntersector& intersector, World& world);
 
     void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
-                      Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) override;
+                      Radiance (&sum)[Block::kMost], double (&pruned)[Block::kMost]) override;
     void trace(const SampleRays& rays, const Inside& inside, Radiance (&brought)[SampleRays::kMost],
                double (&pruned)[SampleRays::kMost]) override;
 
@@ -35,13 +35,13 @@ private:
         Batch batch;
         LightColumns brought;
 
-        double distance[Block::kSize];
+        double distance[Block::kMost];
         VectorColumns point, normal;  ///< the normal is turned to the viewer once the surface is lit
-        std::uint32_t object[Block::kSize], material[Block::kSize];
+        std::uint32_t object[Block::kMost], material[Block::kMost];
 
         Numbers mirrors;  ///< rays that are mirrored, with their share of it and the weight of what they bring
         LightColumns share;
-        float mirror_weight[Block::kSize];
+        float mirror_weight[Block::kMost];
         Numbers clear;  ///< rays that go through
         LightColumns tint;
     };

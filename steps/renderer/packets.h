@@ -13,17 +13,19 @@ namespace rays {
 /// A square of neighbouring pixels, given by its upper left corner. Eight that follow each other lie in two rows of
 /// four.
 struct Block {
-    static constexpr int kSide = 8, kSize = kSide * kSide;
+    static constexpr int kMostSide = 16, kMost = kMostSide * kMostSide;
     static constexpr int kRun = 4;  ///< so many that follow each other are side by side
 
     int x = 0, y = 0;
-    int column(int i) const { return x + i / 8 % 2 * kRun + i % kRun; }
-    int row(int i) const { return y + i / 16 * 2 + i % 8 / 4; }
+    int side = 8;  ///< or kMostSide
+    int size() const { return side * side; }
+    int column(int i) const { return x + i / 8 % (side / kRun) * kRun + i % kRun; }
+    int row(int i) const { return y + i / (2 * side) * 2 + i % 8 / kRun; }
 };
 
 /// Rays of samples, each with its own tree: where it starts, where the lights are for it, how its rough surfaces tilt.
 struct SampleRays {
-    static constexpr int kMost = Block::kSize;
+    static constexpr int kMost = 64;
     static constexpr int kTogether = 8;              ///< so many at most are chosen at a time...
     static constexpr int kRoom = kMost + kTogether;  ///< ...and may be written, though fewer count
 
@@ -56,7 +58,7 @@ public:
     /// `pruned` what pruning leaves open (World::pruned). Pixels beyond the raster get nothing. All rays start in the
     /// same media.
     virtual void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
-                              Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) = 0;
+                              Radiance (&sum)[Block::kMost], double (&pruned)[Block::kMost]) = 0;
     /// Sets `brought` to what each ray brings and adds to `pruned`. All rays start in the same media.
     virtual void trace(const SampleRays& rays, const Inside& inside, Radiance (&brought)[SampleRays::kMost],
                        double (&pruned)[SampleRays::kMost]) = 0;
@@ -68,6 +70,8 @@ public:
     virtual ~Packets() = default;
     /// For single rays.
     virtual const Intersector& intersector() const = 0;
+    /// Of the blocks that this scene is traced in.
+    virtual int block_side() const = 0;
     /// `world` is the thread's own, over this intersector.
     virtual std::unique_ptr<PacketTracer> tracer(World& world) const = 0;
     /// For Sobol points and the box filter. Null where the lens or the lights are not the usual ones.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <thread>
 #include <vector>
 
@@ -72,37 +71,38 @@ void render_row(World& world, const CameraMedia& media, const RenderOptions& opt
 /// out that nothing is there.
 class Gathered {
 public:
-    Radiance sum[Block::kSize];
-    double pruned[Block::kSize] = {};
+    Radiance sum[Block::kMost];
+    double pruned[Block::kMost] = {};
 
     /// Moves the light, times `weight`, to the film: `is_whole`, or as far as the block is in the picture.
     void move_light(const Block& block, float weight, Film& film) {
         const Raster& raster = film.raster();
-        const bool is_whole = block.x + Block::kSide <= raster.width && block.y + Block::kSide <= raster.height;
-        for (int i = 0; i < Block::kSize; i += Block::kRun) {
+        const bool is_whole = block.x + block.side <= raster.width && block.y + block.side <= raster.height;
+        for (int i = 0; i < block.size(); i += Block::kRun) {
             const int x = block.column(i), y = block.row(i);
             if (!is_whole && y >= raster.height) continue;
             const int count = is_whole ? Block::kRun : std::clamp(raster.width - x, 0, Block::kRun);
             for (int k = 0; k < count; ++k)
                 for (int c = 0; c < 4; ++c) film.at(x + k, y)[c] = weight * sum[i + k][c];
         }
-        std::fill(std::begin(sum), std::end(sum), Radiance());
+        std::fill(sum, sum + block.size(), Radiance());
     }
     void move_pruned(const Block& block, int samples, Residuals& residuals) {
-        static constexpr double kNothing[Block::kSize] = {};
-        if (std::memcmp(pruned, kNothing, sizeof pruned) == 0) return;
-        for (int i = 0; i < Block::kSize; ++i)
+        static constexpr double kNothing[Block::kMost] = {};
+        const auto bytes = sizeof(double) * static_cast<std::size_t>(block.size());
+        if (std::memcmp(pruned, kNothing, bytes) == 0) return;
+        for (int i = 0; i < block.size(); ++i)
             if (pruned[i] != 0) residuals.add(block.column(i), block.row(i), pruned[i] / samples);
-        std::fill(std::begin(pruned), std::end(pruned), 0.0);
+        std::fill(pruned, pruned + block.size(), 0.0);
     }
 };
 
-/// The rows y, y + 1, .. that packets cover, as far as they are in the picture.
-void render_packets(PacketTracer& tracer, const Inside& media, const RenderOptions& options, int y, Film& film,
-                    Residuals& residuals) {
+/// A row of blocks from y downwards, as far as they are in the picture.
+void render_packets(PacketTracer& tracer, const Inside& media, const RenderOptions& options, int y, int side,
+                    Film& film, Residuals& residuals) {
     const Grid grid(options.samples);
     Gathered gathered;
-    for (Block block{0, y}; block.x < options.raster.width; block.x += Block::kSide) {
+    for (Block block{0, y, side}; block.x < options.raster.width; block.x += side) {
         grid.each([&](Vec2 offset) {
             tracer.add_radiance(options.raster, block, offset, media, gathered.sum, gathered.pruned);
         });
@@ -145,14 +145,14 @@ Film render_regularly(const Scene& scene, const RenderOptions& options, Residual
     // All rays of a packet must start in the same media.
     const auto everywhere = packets ? media.everywhere() : std::nullopt;
     Residuals residuals(options.raster.height);
-    const int rows = everywhere ? Block::kSide : 1;
+    const int rows = everywhere ? packets->block_side() : 1;
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
         World world = prototype;
         const auto tracer = everywhere ? packets->tracer(world) : nullptr;
         for (int y = next_row.fetch_add(rows); y < options.raster.height; y = next_row.fetch_add(rows)) {
             if (tracer)
-                render_packets(*tracer, *everywhere, options, y, film, residuals);
+                render_packets(*tracer, *everywhere, options, y, rows, film, residuals);
             else
                 render_row(world, media, options, y, film, residuals);
             if (reports && options.progress)
