@@ -110,6 +110,12 @@ struct LightColumns {
 
     Radiances load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
     Radiance operator[](Number n) const { return {of[0][n], of[1][n], of[2][n]}; }
+    /// Eight from `first` on; there may be fewer, but never is there less room.
+    void multiply(int first, const Radiances& by) {
+        const __m256 factor[3] = {by.r.v, by.g.v, by.b.v};
+        for (int c = 0; c < 3; ++c)
+            _mm256_storeu_ps(of[c] + first, _mm256_mul_ps(_mm256_loadu_ps(of[c] + first), factor[c]));
+    }
     float largest(Number n) const {  // the fourth lane has nothing
         return std::max(std::max(of[0][n], of[1][n]), std::max(of[2][n], 0.0f));
     }

@@ -38,17 +38,26 @@ inline Radiances metal_tint(const Surfaces& at, Reals cosine, float metallic) {
     return white + Floats::load(tints) * (at.color - white);
 }
 
-/// How much a finish mirrors: task 3.4. ior_of(lane) is asked where Fresnel's formulas need it.
-template <class IorOf>
-Radiances reflectivity(const Surfaces& at, const IorOf& ior_of) {
+/// Task 3.3.
+inline Reals fresnel(Reals c, Reals relative_ior) {
+    const Reals zero(0.0), one(1);
+    const Reals g2 = (relative_ior - one) * (relative_ior + one) + c * c;
+    const Reals g = sqrt(g2);
+    const Reals s = (g - c) / (g + c);
+    const Reals p = (c * (g + c) - one) / (c * (g - c) + one);
+    const Reals f = Reals(0.5) * s * s * (one + p * p);
+    return select(g2 > zero, select(f < zero, zero, select(f > one, one, f)), one);
+}
+
+/// How much a finish mirrors: task 3.4. iors() is asked where Fresnel's formulas need it.
+template <class Iors>
+Radiances reflectivity(const Surfaces& at, const Iors& iors) {
     const Reflection& r = at.finish->reflection;
     const Reals cosine = dot(at.normal, at.to_viewer), zero(0.0), one(1);
     const Reals c = select(cosine < zero, zero, select(cosine > one, one, cosine));
     Reals f = one - c;
     if (r.fresnel) {
-        Spread shares(zero), cosines(c);
-        each_lane(at.are.bits(), [&](int i) { shares.lane[i] = fresnel(cosines[i], ior_of(i)); });
-        f = Reals::load(shares.lane);
+        f = fresnel(c, iors());
     } else if (r.falloff != 1) {
         const Mask positive = f > zero;
         f = select(positive, power(positive, f, r.falloff), Reals(std::pow(Real(0), Real(r.falloff))));

@@ -14,7 +14,7 @@ void Tracer::divide(Frame& f, const Chunk& chunk, const Surfaces& at) {
     const Floats weight = chunk.load(f.batch.weight);
     Radiances share;
     if (!mirror.max.is_black() || !mirror.min.is_black()) {
-        share = reflectivity(at, [&](int i) { return fresnel_ior(scene_, f.batch.inside, medium(f, chunk.of[i])); });
+        share = reflectivity(at, [&] { return fresnel_iors(f, chunk); });
         const unsigned lanes = (at.are & is_not_black(share)).bits();
         f.share.store(chunk, lanes, share);
         alignas(32) float weights[kLanes];
@@ -33,6 +33,19 @@ void Tracer::divide(Frame& f, const Chunk& chunk, const Surfaces& at) {
     alignas(32) float left_out[kLanes];
     (weight * max(Floats(0.0f), largest(tint))).store(left_out);
     each_lane(chunk.lanes & ~lanes, [&](int i) { pruned_[f.batch.pixel[chunk.of[i]]] += left_out[i]; });
+}
+
+/// Neighbours mostly border on the same medium.
+Reals Tracer::fresnel_iors(const Frame& f, const Chunk& chunk) const {
+    Medium last = medium(f, chunk.of[0]);
+    Real ior = fresnel_ior(scene_, f.batch.inside, last);
+    Spread iors{Reals(ior)};
+    for (int i = 1; i < kLanes; ++i) {
+        const Medium next = medium(f, chunk.of[i]);
+        if (next != last) ior = fresnel_ior(scene_, f.batch.inside, last = next);
+        iors.lane[i] = ior;
+    }
+    return Reals::load(iors.lane);
 }
 
 void Tracer::start(Frame& next, const Frame& from, const Inside& inside, bool straight) const {
@@ -110,11 +123,10 @@ void Tracer::go_through(std::size_t depth, const Numbers& rays, Medium medium, N
         each_lane(chunk.lanes & ~passes, [&](int i) { total_reflection.add(chunk.of[i]); });
     });
     trace(depth + 1);
-    const Interior* fades = fading(f, medium);
+    if (const Interior* fades = fading(f, medium)) fade(*fades, f, next);
     for (int c = 0; c < next.batch.count; ++c) {
         const Number n = next.batch.parent[c];
-        const Radiance left = fades ? absorption(*fades, f.distance[n]) : Radiance(1.0f);
-        for (int k = 0; k < 3; ++k) f.brought.of[k][n] += f.tint.of[k][n] * (next.brought.of[k][c] * left[k]);
+        for (int k = 0; k < 3; ++k) f.brought.of[k][n] += f.tint.of[k][n] * next.brought.of[k][c];
     }
 }
 
@@ -123,6 +135,16 @@ const Interior* Tracer::fading(const Frame& f, Medium medium) const {
     const Interior* interior = interior_of(scene_, medium);
     const bool fades = interior && interior->fade_distance > 0 && f.batch.inside.contains(medium);
     return fades ? interior : nullptr;
+}
+
+/// Takes that from what the rays of `next` bring.
+void Tracer::fade(const Interior& interior, const Frame& f, Frame& next) const {
+    for (int first = 0; first < next.batch.count; first += kLanes) {
+        Spread distances;
+        for (int i = 0; i < kLanes; ++i)
+            distances.lane[i] = f.distance[next.batch.parent[std::min(first + i, next.batch.count - 1)]];
+        next.brought.multiply(first, absorption(interior, Reals::load(distances.lane)));
+    }
 }
 
 void Tracer::mirror(std::size_t depth) {

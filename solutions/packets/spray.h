@@ -20,8 +20,23 @@ public:
     /// Not known: where the first ray of the eight enters a box says nothing of the others, and serves to sort only.
     static constexpr float far_end() { return std::numeric_limits<float>::infinity(); }
 
+    void end_at(Reals far, Mask open) {
+        FloatRays::end_at(far, open);
+        is_as_it_was_ = false;
+    }
+    void look_between(Mask rays, Reals from, Reals to) {
+        FloatRays::look_between(rays, from, to);
+        is_as_it_was_ = false;
+    }
+    void leave_out(Mask rays) {
+        FloatRays::leave_out(rays);
+        is_as_it_was_ = false;
+    }
+
     using FloatRays::rays_that_meet;
+    /// Of a child that meets() has found.
     unsigned rays_that_meet(const wide::Node& node, unsigned child) const {
+        if (is_as_it_was_) return kAllLanes;
         float enters;
         return rays_that_meet(node, child, enters);
     }
@@ -57,6 +72,7 @@ private:
     }
 
     __m256 less_[3], more_[3], inverse_[3];
+    bool is_as_it_was_ = true;  ///< all rays reach as far as when meets() was asked
 };
 
 }  // namespace rays::packets

@@ -64,7 +64,9 @@ private:
 
     /// Adds a ray of `next` that starts where ray `parent` of `from` met something, unless it is pruned: task 3.8.
     void branch(const Frame& from, Number parent, const Spread3& directions, int lane, float weight, Frame& next);
+    Reals fresnel_iors(const Frame& frame, const Chunk& chunk) const;
     const Interior* fading(const Frame& frame, Medium medium) const;
+    void fade(const Interior& interior, const Frame& frame, Frame& next) const;
     Medium medium(const Frame& frame, Number ray) const { return medium_of(scene_, frame.object[ray]); }
 
     const Scene& scene_;
@@ -72,7 +74,7 @@ private:
     World& world_;
     Shadows shadows_;
     std::vector<std::unique_ptr<Frame>> frames_;
-    double* pruned_ = nullptr;  ///< of the block in hand
+    double* pruned_ = nullptr;             ///< of the block in hand
     const SampleRays* samples_ = nullptr;  ///< in hand; null: a block of pixels
     SingleRoughness single_roughness_;
     std::vector<Light> lights_;  ///< as the ray sees them that is traced by itself

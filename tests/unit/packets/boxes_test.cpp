@@ -61,10 +61,14 @@ constexpr bool kOneWay = std::is_same_v<Front, Beam>;
 
 template <class Front>
 Front front_of(const Rays& rays) {
-    if constexpr (kOneWay<Front>)
-        return Beam(rays, Mask::of(kAllLanes), Directions(rays.direction).way(0), kAhead);
-    else
-        return Spray(rays, Mask::of(kAllLanes), kAhead);
+    auto front = [&] {
+        if constexpr (kOneWay<Front>)
+            return Beam(rays, Mask::of(kAllLanes), Directions(rays.direction).way(0), kAhead);
+        else
+            return Spray(rays, Mask::of(kAllLanes), kAhead);
+    }();
+    front.leave_out(Mask::of(0));  // sprays look anew only when something has changed
+    return front;
 }
 
 template <class Front>
@@ -125,6 +129,8 @@ TYPED_TEST(BoxesSee, NobodyElse) {
         if (met != 0) {
             ASSERT_TRUE(front.meets(node, enters) >> box & 1) << n;
             ASSERT_FALSE(enters[box] > front.far_end()) << n << ": the walk would pass over it";
+        } else if (!kOneWay<TypeParam>) {
+            ASSERT_FALSE(front.meets(node, enters) >> box & 1) << n << ": a spray knows without being asked again";
         }
         for (unsigned i = 0; i < kLanes; ++i) {
             if (!misses(rays[i], node, box)) continue;
