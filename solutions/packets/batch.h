@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "packets/rays.h"
 #include "renderer/packets.h"
@@ -17,6 +19,14 @@ struct Numbers {
     Number of[Block::kMost];
 
     void add(Number n) { of[count++] = n; }
+    void add(const Number (&eight)[kLanes], unsigned which) {
+        if (which == kAllLanes) {
+            std::memcpy(of + count, eight, kLanes);
+            count += kLanes;
+        } else {
+            each_lane(which, [&](int i) { add(eight[i]); });
+        }
+    }
     const Number* begin() const { return of; }
     const Number* end() const { return of + count; }
 };
@@ -38,12 +48,17 @@ struct Chunk {
     bool is_run;  ///< eight that follow each other: they are loaded and stored at once
 
     /// The eight from `first` on, up to `end`. Lanes that are left over repeat the last one.
-    Chunk(const Numbers& numbers, int first, int end) {
+    Chunk(const Number* numbers, int first, int end) {
         const int count = std::min(kLanes, end - first);
-        for (int i = 0; i < kLanes; ++i) of[i] = numbers.of[first + std::min(i, count - 1)];
+        if (count == kLanes) {
+            std::memcpy(of, numbers + first, kLanes);
+            const auto in_a_word = std::bit_cast<std::uint64_t>(of);
+            is_run = of[0] <= 256 - kLanes && in_a_word == of[0] * 0x0101010101010101u + 0x0706050403020100u;
+        } else {
+            for (int i = 0; i < kLanes; ++i) of[i] = numbers[first + std::min(i, count - 1)];
+            is_run = false;
+        }
         lanes = (1u << count) - 1;
-        is_run = count == kLanes;
-        for (int i = 1; i < kLanes; ++i) is_run &= of[i] == of[0] + i;
     }
     Reals load(const double* column) const {
         if (is_run) return Reals::load_anywhere(column + of[0]);
@@ -55,12 +70,18 @@ struct Chunk {
         return _mm256_setr_ps(column[of[0]], column[of[1]], column[of[2]], column[of[3]], column[of[4]], column[of[5]],
                               column[of[6]], column[of[7]]);
     }
+    void store(float* column, unsigned which, Floats values) const {
+        if (is_run && which == kAllLanes) return _mm256_storeu_ps(column + of[0], values.v);
+        alignas(32) float v[kLanes];
+        values.store(v);
+        each_lane(which, [&](int i) { column[of[i]] = v[i]; });
+    }
 };
 
 /// Calls what(chunk) for the rays of the list, eight by eight.
 template <class What>
 void each_chunk(const Numbers& numbers, const What& what) {
-    for (int first = 0; first < numbers.count; first += kLanes) what(Chunk(numbers, first, numbers.count));
+    for (int first = 0; first < numbers.count; first += kLanes) what(Chunk(numbers.of, first, numbers.count));
 }
 
 /// Vectors and light side by side, component by component.
@@ -102,7 +123,7 @@ void each_chunk_by_way(const VectorColumns& direction, int count, const What& wh
     ordered.count = count;
     for (int n = 0; n < count; ++n) ordered.of[next[way[n]]++] = static_cast<Number>(n);
     for (int w = 0; w < kWays; ++w)
-        for (int first = begin[w]; first < begin[w + 1]; first += kLanes) what(Chunk(ordered, first, begin[w + 1]));
+        for (int first = begin[w]; first < begin[w + 1]; first += kLanes) what(Chunk(ordered.of, first, begin[w + 1]));
 }
 
 struct LightColumns {
@@ -115,9 +136,6 @@ struct LightColumns {
         const __m256 factor[3] = {by.r.v, by.g.v, by.b.v};
         for (int c = 0; c < 3; ++c)
             _mm256_storeu_ps(of[c] + first, _mm256_mul_ps(_mm256_loadu_ps(of[c] + first), factor[c]));
-    }
-    float largest(Number n) const {  // the fourth lane has nothing
-        return std::max(std::max(of[0][n], of[1][n]), std::max(of[2][n], 0.0f));
     }
     void set(Number n, const Radiance& light) {
         for (int c = 0; c < 3; ++c) of[c][n] = light[c];
@@ -134,17 +152,14 @@ struct LightColumns {
     }
     void store(const Chunk& chunk, unsigned lanes, const Radiances& light) {
         if (lanes == 0) return;
-        if (chunk.is_run && lanes == kAllLanes) {
-            _mm256_storeu_ps(of[0] + chunk.of[0], light.r.v);
-            _mm256_storeu_ps(of[1] + chunk.of[0], light.g.v);
-            _mm256_storeu_ps(of[2] + chunk.of[0], light.b.v);
-            return;
-        }
-        alignas(32) float v[3][kLanes];
-        light.r.store(v[0]), light.g.store(v[1]), light.b.store(v[2]);
-        each_lane(lanes, [&](int i) {
-            for (int c = 0; c < 3; ++c) of[c][chunk.of[i]] = v[c][i];
-        });
+        chunk.store(of[0], lanes, light.r);
+        chunk.store(of[1], lanes, light.g);
+        chunk.store(of[2], lanes, light.b);
+    }
+    /// Eight from `first` on.
+    Radiances load(int first) const {
+        return {Floats(_mm256_loadu_ps(of[0] + first)), Floats(_mm256_loadu_ps(of[1] + first)),
+                Floats(_mm256_loadu_ps(of[2] + first))};
     }
 };
 
@@ -162,6 +177,28 @@ struct Batch {
     Ray ray(Number n) const {
         return {{origin.of[0][n], origin.of[1][n], origin.of[2][n]},
                 {direction.of[0][n], direction.of[1][n], direction.of[2][n]}};
+    }
+    /// Of a batch above.
+    void add(const Batch& from, const Chunk& chunk, unsigned which, const Rays& rays, Floats weights) {
+        if (which == kAllLanes) {
+            origin.store(count, rays.origin);
+            direction.store(count, rays.direction);
+            _mm256_storeu_ps(weight + count, weights.v);
+            std::memcpy(parent + count, chunk.of, kLanes);
+            for (const Number n : chunk.of) pixel[count++] = from.pixel[n];
+            return;
+        }
+        const SpreadRays single(rays);
+        alignas(32) float w[kLanes];
+        weights.store(w);
+        each_lane(which, [&](int i) {
+            const auto n = static_cast<Number>(count++);
+            origin.set(n, single.origin, i);
+            direction.set(n, single.direction, i);
+            weight[n] = w[i];
+            parent[n] = chunk.of[i];
+            pixel[n] = from.pixel[chunk.of[i]];
+        });
     }
     Rays load(const Chunk& chunk) const { return {origin.load(chunk), direction.load(chunk)}; }
 };

@@ -6,33 +6,47 @@
 #include "packets/tracer.h"
 
 namespace rays::packets {
+namespace {
+
+/// Calls what(parents, brought) for the rays of a frame, eight by eight: where they come from, and what they bring.
+template <class NextFrame, class What>
+void each_child(const NextFrame& next, const What& what) {
+    for (int first = 0; first < next.batch.count; first += kLanes)
+        what(Chunk(next.batch.parent, first, next.batch.count), next.brought.load(first));
+}
+
+}  // namespace
 
 /// Which rays are mirrored, which go through, and how much of them: tasks 3.9 to 3.11.
-void Tracer::divide(Frame& f, const Chunk& chunk, const Surfaces& at) {
+void Tracer::divide(Frame& f, const Chunk& chunk, const Material& material, const Surfaces& at) {
     f.normal.store(chunk, at.normal);
-    const Reflection& mirror = at.finish->reflection;
+    const Reflection& mirror = material.finish.reflection;
     const Floats weight = chunk.load(f.batch.weight);
     Radiances share;
     if (!mirror.max.is_black() || !mirror.min.is_black()) {
         share = reflectivity(at, [&] { return fresnel_iors(f, chunk); });
         const unsigned lanes = (at.are & is_not_black(share)).bits();
+        const Floats most =
+            mirror.fresnel ? largest(share) : Floats(std::max(mirror.max.largest(), mirror.min.largest()));
         f.share.store(chunk, lanes, share);
-        alignas(32) float weights[kLanes];
-        (weight * (mirror.fresnel ? largest(share) : Floats(std::max(mirror.max.largest(), mirror.min.largest()))))
-            .store(weights);
-        each_lane(lanes, [&](int i) {
-            f.mirrors.add(chunk.of[i]);
-            f.mirror_weight[chunk.of[i]] = weights[i];
-        });
+        chunk.store(f.mirror_weight, lanes, weight * most);
+        f.mirrors.add(chunk.of, lanes);
     }
+    if (!lets_light_through(material.pigment)) return;
     const Radiances tint = tint_of(at, share);
     const Floats grey = abs(Floats(0.297f) * tint.r + Floats(0.589f) * tint.g + Floats(0.114f) * tint.b);
     const unsigned lanes = (at.are & is_greater(grey, Floats(scene_.settings.adc_bailout))).bits();
     f.tint.store(chunk, lanes, tint);
-    each_lane(lanes, [&](int i) { f.clear.add(chunk.of[i]); });
-    alignas(32) float left_out[kLanes];
-    (weight * max(Floats(0.0f), largest(tint))).store(left_out);
-    each_lane(chunk.lanes & ~lanes, [&](int i) { pruned_[f.batch.pixel[chunk.of[i]]] += left_out[i]; });
+    f.clear.add(chunk.of, lanes);
+    prune(f, chunk, chunk.lanes & ~lanes, weight * max(Floats(0.0f), largest(tint)));
+}
+
+/// Leaves out what these rays would have brought.
+void Tracer::prune(const Frame& f, const Chunk& chunk, unsigned rays, Floats weight) {
+    if (rays == 0) return;
+    alignas(32) float weights[kLanes];
+    weight.store(weights);
+    each_lane(rays, [&](int i) { pruned_[f.batch.pixel[chunk.of[i]]] += weights[i]; });
 }
 
 /// Neighbours mostly border on the same medium.
@@ -56,19 +70,14 @@ void Tracer::start(Frame& next, const Frame& from, const Inside& inside, bool st
     next.batch.inside = inside;
 }
 
-void Tracer::branch(const Frame& from, Number parent, const Spread3& directions, int lane, float weight, Frame& next) {
+void Tracer::branch(const Frame& from, const Chunk& chunk, unsigned rays, const Vec3s& directions, Floats weight,
+                    Frame& next) {
     Batch& batch = next.batch;
     const GlobalSettings& settings = scene_.settings;
-    if (batch.above >= kMostAbove || batch.level >= settings.max_trace_level || weight < settings.adc_bailout) {
-        pruned_[from.batch.pixel[parent]] += weight;
-        return;
-    }
-    const auto n = static_cast<Number>(batch.count++);
-    for (int a = 0; a < 3; ++a) batch.origin.of[a][n] = from.point.of[a][parent];
-    batch.direction.set(n, directions, lane);
-    batch.weight[n] = weight;
-    batch.pixel[n] = from.batch.pixel[parent];
-    batch.parent[n] = parent;
+    if (batch.above >= kMostAbove || batch.level >= settings.max_trace_level) return prune(from, chunk, rays, weight);
+    const unsigned too_little = is_less(weight, Floats(settings.adc_bailout)).bits() & rays;
+    prune(from, chunk, too_little, weight);
+    batch.add(from.batch, chunk, rays & ~too_little, {from.point.load(chunk), directions}, weight);
 }
 
 /// What comes through: each medium on its own, for what is behind follows from it. Where nothing can be refracted, the
@@ -83,21 +92,20 @@ void Tracer::go_through(std::size_t depth) {
     if (total_reflection.count == 0) return;
     start(next, f, f.batch.inside, false);
     each_chunk(total_reflection, [&](const Chunk& chunk) {
-        const Spread3 direction(reflected(f.batch.direction.load(chunk), f.normal.load(chunk)));
-        each_lane(chunk.lanes, [&](int i) {
-            const Number n = chunk.of[i];
-            branch(f, n, direction, i, f.batch.weight[n] * f.tint.largest(n), next);
-        });
+        branch(f, chunk, chunk.lanes, reflected(f.batch.direction.load(chunk), f.normal.load(chunk)),
+               chunk.load(f.batch.weight) * largest(f.tint.load(chunk)), next);
     });
     trace(depth + 1);
     for (int c = 0; c < next.batch.count; ++c) {
         const Number n = next.batch.parent[c];
-        const Interior* fades = fading(f, medium(f, n));
-        for (int k = 0; k < 3; ++k) {
-            const float brought = next.brought.of[k][c];
-            f.brought.of[k][n] += fades ? brought * absorption(*fades, f.distance[n])[k] : brought;
+        if (const Interior* fades = fading(f, medium(f, n))) {
+            const Radiance left = absorption(*fades, f.distance[n]);
+            for (int k = 0; k < 3; ++k) next.brought.of[k][c] *= left[k];
         }
     }
+    each_child(next, [&](const Chunk& parents, const Radiances& brought) {
+        f.brought.store(parents, parents.lanes, f.brought.load(parents) + brought);
+    });
     const Numbers before = f.mirrors;
     f.mirrors.count = 0;
     for (const Number n : before)
@@ -114,20 +122,16 @@ void Tracer::go_through(std::size_t depth, const Numbers& rays, Medium medium, N
         const Vec3s d = f.batch.direction.load(chunk);
         const Refracted bent =
             straight ? Refracted{Mask::of(kAllLanes), d} : refracted(d, f.normal.load(chunk), relative_ior);
-        const Spread3 direction(bent.direction);
         const unsigned passes = bent.are.bits();
-        each_lane(chunk.lanes & passes, [&](int i) {
-            const Number n = chunk.of[i];
-            branch(f, n, direction, i, f.batch.weight[n] * f.tint.largest(n), next);
-        });
-        each_lane(chunk.lanes & ~passes, [&](int i) { total_reflection.add(chunk.of[i]); });
+        branch(f, chunk, chunk.lanes & passes, bent.direction, chunk.load(f.batch.weight) * largest(f.tint.load(chunk)),
+               next);
+        total_reflection.add(chunk.of, chunk.lanes & ~passes);
     });
     trace(depth + 1);
     if (const Interior* fades = fading(f, medium)) fade(*fades, f, next);
-    for (int c = 0; c < next.batch.count; ++c) {
-        const Number n = next.batch.parent[c];
-        for (int k = 0; k < 3; ++k) f.brought.of[k][n] += f.tint.of[k][n] * next.brought.of[k][c];
-    }
+    each_child(next, [&](const Chunk& parents, const Radiances& brought) {
+        f.brought.store(parents, parents.lanes, f.brought.load(parents) + f.tint.load(parents) * brought);
+    });
 }
 
 /// What takes light on the way to hits that border on `medium`, if that is what the way led through: task 3.6.
@@ -151,19 +155,22 @@ void Tracer::mirror(std::size_t depth) {
     Frame &f = frame(depth), &next = frame(depth + 1);
     start(next, f, f.batch.inside, false);
     each_chunk(f.mirrors, [&](const Chunk& chunk) {
-        const Spread3 direction(reflected(f.batch.direction.load(chunk), f.normal.load(chunk)));
-        each_lane(chunk.lanes,
-                  [&](int i) { branch(f, chunk.of[i], direction, i, f.mirror_weight[chunk.of[i]], next); });
+        branch(f, chunk, chunk.lanes, reflected(f.batch.direction.load(chunk), f.normal.load(chunk)),
+               chunk.load(f.mirror_weight), next);
     });
     if (next.batch.count > 0) trace(depth + 1);
+    if (has_exponents_) raise(f, next);
+    each_child(next, [&](const Chunk& parents, const Radiances& brought) {
+        f.brought.store(parents, parents.lanes, f.brought.load(parents) + f.share.load(parents) * brought);
+    });
+}
+
+/// What mirrors with an exponent make of what the rays of `next` bring.
+void Tracer::raise(const Frame& f, Frame& next) const {
     for (int c = 0; c < next.batch.count; ++c) {
-        const Number n = next.batch.parent[c];
-        const float exponent = scene_.materials[f.material[n]].finish.reflection.exponent;
-        for (int k = 0; k < 3; ++k) {
-            float brought = next.brought.of[k][c];
-            if (exponent != 1) brought = std::pow(std::max(0.0f, brought), exponent);
-            f.brought.of[k][n] += f.share.of[k][n] * brought;
-        }
+        const float exponent = scene_.materials[f.material[next.batch.parent[c]]].finish.reflection.exponent;
+        if (exponent == 1) continue;
+        for (auto& brought : next.brought.of) brought[c] = std::pow(std::max(0.0f, brought[c]), exponent);
     }
 }
 

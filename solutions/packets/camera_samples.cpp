@@ -7,16 +7,20 @@ namespace {
 
 __m256i reversed(__m256i x) {
     // Nibbles by table, then the bytes of each number the other way round.
-    const __m256i table = _mm256_broadcastsi128_si256(_mm_setr_epi8(0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15));
+    const __m256i table =
+        _mm256_broadcastsi128_si256(_mm_setr_epi8(0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15));
     const __m256i low = _mm256_set1_epi8(15);
     const __m256i upper = _mm256_slli_epi16(_mm256_shuffle_epi8(table, _mm256_and_si256(x, low)), 4);
     const __m256i lower = _mm256_shuffle_epi8(table, _mm256_and_si256(_mm256_srli_epi16(x, 4), low));
-    const __m256i order = _mm256_broadcastsi128_si256(_mm_setr_epi8(3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12));
+    const __m256i order =
+        _mm256_broadcastsi128_si256(_mm_setr_epi8(3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12));
     return _mm256_shuffle_epi8(_mm256_or_si256(upper, lower), order);
 }
 
 __m256i all(std::uint32_t x) { return _mm256_set1_epi32(static_cast<int>(x)); }
-__m256i times_itself(__m256i x, std::uint32_t factor) { return _mm256_xor_si256(x, _mm256_mullo_epi32(x, all(factor))); }
+__m256i times_itself(__m256i x, std::uint32_t factor) {
+    return _mm256_xor_si256(x, _mm256_mullo_epi32(x, all(factor)));
+}
 
 /// As in step 5.
 __m256i turned(__m256i x, std::uint32_t key) {
@@ -70,7 +74,8 @@ Reals sine(Reals x) {
 Reals cosine(Reals x) {
     const Reals square = x * x;
     Reals sum(1.0 / 20922789888000);
-    for (const double term : {-1.0 / 87178291200, 1.0 / 479001600, -1.0 / 3628800, 1.0 / 40320, -1.0 / 720, 1.0 / 24, -0.5})
+    for (const double term :
+         {-1.0 / 87178291200, 1.0 / 479001600, -1.0 / 3628800, 1.0 / 40320, -1.0 / 720, 1.0 / 24, -0.5})
         sum = fma(sum, square, Reals(term));
     return fma(sum, square, Reals(1));
 }
@@ -86,9 +91,7 @@ Vec2s disc_points(Vec2s u) {
 }
 
 /// All eight, wanted or not: SampleRays has room for them.
-void store(double* to, Reals numbers) {
-    numbers.store_anywhere(to);
-}
+void store(double* to, Reals numbers) { numbers.store_anywhere(to); }
 template <class Columns>
 void store(Columns* columns, int at, const Vec3s& vectors) {
     for (int a = 0; a < 3; ++a) store(&columns[a][static_cast<std::size_t>(at)], vectors[a]);
@@ -112,7 +115,9 @@ Vec2s SobolPoints::of(std::uint32_t dimension) {
     draw.dimension = dimension;
     const std::uint64_t keys = mixed(key_of(draw), 1);
     const auto x = static_cast<std::uint32_t>(keys), y = static_cast<std::uint32_t>(keys >> 32);
-    const auto number = [&](std::uint32_t common, const LowBits& low) { return _mm256_xor_si256(all(common), low.at(index_)); };
+    const auto number = [&](std::uint32_t common, const LowBits& low) {
+        return _mm256_xor_si256(all(common), low.at(index_));
+    };
     if (dimension % 2 == 0)
         return {fraction(reversed(turned(index_, x))), fraction(reversed(turned(number(second(common_), kSecond), y)))};
     return {fraction(reversed(turned(reversed(number(kSobol.at(0, common_), kThird)), x))),
@@ -155,7 +160,9 @@ Rays CameraSamples::through_lens(const Rays& pinhole, Vec2s lens) const {
 void CameraSamples::add(int x, int y, const Draw& first, int count, SampleRays& rays) const {
     static_assert(SampleRays::kTogether == kLanes);
     SobolPoints sobol(first);
-    const auto points = [&](Purpose purpose, std::uint32_t number = 0) { return sobol.of(dimension_of(purpose, number, purposes_)); };
+    const auto points = [&](Purpose purpose, std::uint32_t number = 0) {
+        return sobol.of(dimension_of(purpose, number, purposes_));
+    };
     const int at = rays.count;
     const Vec2s pixel = points(Purpose::pixel);
     const Vec2s offset{pixel.x - Reals(0.5), pixel.y - Reals(0.5)};

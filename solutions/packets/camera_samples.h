@@ -1,4 +1,5 @@
-// Step 5 for eight samples of a pixel at once: their points of the pixel, the lens and the lights, and the camera's rays.
+// Step 5 for eight samples of a pixel at once: their points of the pixel, the lens and the lights, and the camera's
+// rays.
 #pragma once
 
 #include "5_distributed/distributed.h"
@@ -16,8 +17,8 @@ struct Vec2s {
 /// The points of eight samples of a pixel that follow each other: sobol_point's.
 class SobolPoints {
 public:
-    /// `first` is the draw of the first one, the number of which is a multiple of eight: all eight are alike in their upper
-    /// bits, and so are the numbers that they are shuffled to.
+    /// `first` is the draw of the first one, the number of which is a multiple of eight: all eight are alike in their
+    /// upper bits, and so are the numbers that they are shuffled to.
     explicit SobolPoints(const Draw& first);
 
     Vec2s of(std::uint32_t dimension);
@@ -32,8 +33,8 @@ private:
     std::uint32_t common_ = 0;      ///< ...and all of their bits but the lowest three
 };
 
-/// What chooses them in a scene that this can be done for: Sobol points, box filter, a round lens or none, lights with a point
-/// or a flat area.
+/// What chooses them in a scene that this can be done for: Sobol points, box filter, a round lens or none, lights with
+/// a point or a flat area.
 class CameraSamples final : public SampleChooser {
 public:
     CameraSamples(const Scene& scene, const Raster& raster, const Purposes& purposes);

@@ -99,9 +99,7 @@ protected:
         f = _mm256_max_ps(f, _mm256_permute_ps(f, 0x4e));
         return _mm256_max_ps(f, _mm256_permute_ps(f, 0xb1));
     }
-    static __m256 largest(__m256 f, FloatMask among) {
-        return largest(select(among, f, _mm256_set1_ps(-kMaxFloat)));
-    }
+    static __m256 largest(__m256 f, FloatMask among) { return largest(select(among, f, _mm256_set1_ps(-kMaxFloat))); }
     static __m256 smallest(__m256 f, FloatMask among) {
         const __m256 sign = _mm256_set1_ps(-0.0f);
         return _mm256_xor_ps(largest(_mm256_xor_ps(f, sign), among), sign);

@@ -40,24 +40,12 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
     const auto unit = [&](const Vec3s& n) { return transform ? n : normalize(n); };
     const auto flat = [](const Triangle& t) { return Vec3s(glm::normalize(glm::cross(t.b - t.a, t.c - t.a))); };
     switch (object.kind) {
-        case ShapeKind::sphere:
-            set_normals(unit(normal(s.spheres[object.shape], point)));
-            break;
-        case ShapeKind::plane:
-            set_normals(unit(s.planes[object.shape].normal));
-            break;
-        case ShapeKind::disc:
-            set_normals(unit(s.discs[object.shape].normal));
-            break;
-        case ShapeKind::polygon:
-            set_normals(unit(s.polygons[object.shape].plane.normal));
-            break;
-        case ShapeKind::triangle:
-            set_normals(flat(s.triangles[object.shape]));
-            break;
-        case ShapeKind::cone:
-            set_normals(unit(normal(s.cones[object.shape], point, found.part)));
-            break;
+        case ShapeKind::sphere: set_normals(unit(normal(s.spheres[object.shape], point))); break;
+        case ShapeKind::plane: set_normals(unit(s.planes[object.shape].normal)); break;
+        case ShapeKind::disc: set_normals(unit(s.discs[object.shape].normal)); break;
+        case ShapeKind::polygon: set_normals(unit(s.polygons[object.shape].plane.normal)); break;
+        case ShapeKind::triangle: set_normals(flat(s.triangles[object.shape])); break;
+        case ShapeKind::cone: set_normals(unit(normal(s.cones[object.shape], point, found.part))); break;
         case ShapeKind::smooth_triangle: {
             const SmoothTriangle& t = s.smooth_triangles[object.shape];
             set_normals(normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
@@ -72,15 +60,9 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
                                     : flat(triangle_of(mesh, p.part)));
             break;
         }
-        case ShapeKind::quadric:
-            set_normals(unit(normal(s.quadrics[object.shape], point)));
-            break;
-        case ShapeKind::torus:
-            set_normals(unit(normal(s.tori[object.shape], point)));
-            break;
-        default:
-            set_normals(unit(box_normal(found.part)));
-            break;
+        case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
+        case ShapeKind::torus: set_normals(unit(normal(s.tori[object.shape], point))); break;
+        default: set_normals(unit(box_normal(found.part))); break;
     }
     const std::uint32_t material = material_of(primitive);
     each_lane(lanes.bits(), [&](int i) {

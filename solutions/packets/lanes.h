@@ -64,9 +64,7 @@ inline Floats max(Floats a, Floats b) { return _mm256_max_ps(a.v, b.v); }
 inline Floats min(Floats a, Floats b) { return _mm256_min_ps(a.v, b.v); }
 inline Floats abs(Floats a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v); }
 
-inline Floats select(Mask where, Floats then, Floats otherwise) {
-    return select(narrow(where), then.v, otherwise.v);
-}
+inline Floats select(Mask where, Floats then, Floats otherwise) { return select(narrow(where), then.v, otherwise.v); }
 
 /// Eight radiances, by their first three lanes: the fourth of an RGB scene is not seen.
 struct Radiances {

@@ -14,10 +14,8 @@ bool can_clip(const Object& object) {
         case ShapeKind::box:
         case ShapeKind::disc:
         case ShapeKind::cone:
-        case ShapeKind::quadric:
-            return object.clip == kNone;
-        default:
-            return false;
+        case ShapeKind::quadric: return object.clip == kNone;
+        default: return false;
     }
 }
 

@@ -36,28 +36,17 @@ Roots intersect_shape(const Scene& scene, const Object& object, std::uint32_t pa
                       const Sheared& sheared) {
     const std::uint32_t shape = object.shape;
     switch (object.kind) {
-        case ShapeKind::sphere:
-            return intersect(scene.spheres[shape], rays, span);
-        case ShapeKind::plane:
-            return intersect(scene.planes[shape], rays, span);
-        case ShapeKind::triangle:
-            return sheared().intersect(scene.triangles[shape], span);
-        case ShapeKind::smooth_triangle:
-            return sheared().intersect(scene.smooth_triangles[shape].triangle, span);
-        case ShapeKind::mesh:
-            return intersect(scene.meshes[shape], part, rays, sheared(), span);
-        case ShapeKind::polygon:
-            return intersect(scene.polygons[shape], rays, span);
-        case ShapeKind::disc:
-            return intersect(scene.discs[shape], rays, span);
-        case ShapeKind::cone:
-            return intersect(scene.cones[shape], rays, span);
-        case ShapeKind::quadric:
-            return intersect(scene.quadrics[shape], rays, span);
-        case ShapeKind::torus:
-            return intersect(scene.tori[shape], rays, span);
-        default:
-            return intersect(scene.boxes[shape], rays, span);
+        case ShapeKind::sphere: return intersect(scene.spheres[shape], rays, span);
+        case ShapeKind::plane: return intersect(scene.planes[shape], rays, span);
+        case ShapeKind::triangle: return sheared().intersect(scene.triangles[shape], span);
+        case ShapeKind::smooth_triangle: return sheared().intersect(scene.smooth_triangles[shape].triangle, span);
+        case ShapeKind::mesh: return intersect(scene.meshes[shape], part, rays, sheared(), span);
+        case ShapeKind::polygon: return intersect(scene.polygons[shape], rays, span);
+        case ShapeKind::disc: return intersect(scene.discs[shape], rays, span);
+        case ShapeKind::cone: return intersect(scene.cones[shape], rays, span);
+        case ShapeKind::quadric: return intersect(scene.quadrics[shape], rays, span);
+        case ShapeKind::torus: return intersect(scene.tori[shape], rays, span);
+        default: return intersect(scene.boxes[shape], rays, span);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "packets/tracer.h"
 
 #include <algorithm>
+#include <array>
 
 namespace rays::packets {
 namespace {
@@ -8,11 +9,12 @@ namespace {
 /// Fewer rays are faster one by one; measured (NOTES.md).
 constexpr int kFewest = 3;
 
-Numbers all_of(int count) {
-    Numbers all;
-    for (int n = 0; n < count; ++n) all.add(static_cast<Number>(n));
-    return all;
-}
+/// 0, 1, 2, ..
+constexpr auto kInOrder = [] {
+    std::array<Number, Block::kMost> numbers{};
+    for (int n = 0; n < Block::kMost; ++n) numbers[static_cast<std::size_t>(n)] = static_cast<Number>(n);
+    return numbers;
+}();
 
 /// Step 1's camera_ray for the pixels of a block, directions made of unit length.
 class CameraRays {
@@ -51,7 +53,12 @@ private:
 }  // namespace
 
 Tracer::Tracer(const PacketIntersector& intersector, World& world)
-    : scene_(world.scene), intersector_(intersector), world_(world), shadows_(intersector, world) {}
+    : scene_(world.scene),
+      intersector_(intersector),
+      world_(world),
+      shadows_(intersector, world),
+      has_exponents_(std::any_of(scene_.materials.begin(), scene_.materials.end(),
+                                 [](const Material& m) { return m.finish.reflection.exponent != 1; })) {}
 
 Tracer::Frame& Tracer::frame(std::size_t depth) {
     while (frames_.size() <= depth) frames_.push_back(std::make_unique<Frame>());
@@ -181,14 +188,15 @@ Numbers Tracer::meet(Frame& f) const {
         const Hits hits =
             intersector_.nearest(f.batch.load(chunk), Mask::of(chunk.lanes), {Reals(kNearest), Reals(kFarthest)});
         f.brought.store(chunk, chunk.lanes & ~hits.are, background);
-        if (chunk.is_run && hits.are == kAllLanes) {
+        if (hits.are == 0) return;
+        if (chunk.is_run) {  // what is stored for those that meet nothing is not looked at
             const Number first = chunk.of[0];
             std::copy(hits.t.lane, hits.t.lane + kLanes, f.distance + first);
             f.point.store(first, hits.point.load());
             f.normal.store(first, hits.normal.load());
             std::copy(hits.object, hits.object + kLanes, f.object + first);
             std::copy(hits.material, hits.material + kLanes, f.material + first);
-            for (const Number n : chunk.of) met.add(n);
+            met.add(chunk.of, hits.are);
             return;
         }
         each_lane(hits.are, [&](int i) {
@@ -203,7 +211,8 @@ Numbers Tracer::meet(Frame& f) const {
     };
     // Camera rays go the same way as they are.
     if (f.batch.level == 0 || intersector_.takes_any_way())
-        each_chunk(all_of(f.batch.count), meet_chunk);
+        for (int first = 0; first < f.batch.count; first += kLanes)
+            meet_chunk(Chunk(kInOrder.data(), first, f.batch.count));
     else
         each_chunk_by_way(f.batch.direction, f.batch.count, meet_chunk);
     return met;
@@ -223,7 +232,7 @@ void Tracer::light(Frame& f, const Numbers& hits) {
             if (samples_->roughness && material.finish.glossy > 0) tilt(f, chunk, at);
         }
         f.brought.store(chunk, chunk.lanes, direct_light(scene_, shadows_, samples_, at, f.batch.inside));
-        if (goes_on) divide(f, chunk, at);
+        if (goes_on) divide(f, chunk, material, at);
     });
 }
 

@@ -57,13 +57,16 @@ private:
     void tilt(const Frame& frame, const Chunk& chunk, Surfaces& at) const;
     Numbers meet(Frame& frame) const;
     void light(Frame& frame, const Numbers& hits);
-    void divide(Frame& frame, const Chunk& chunk, const Surfaces& at);
+    void divide(Frame& frame, const Chunk& chunk, const Material& material, const Surfaces& at);
+    void prune(const Frame& frame, const Chunk& chunk, unsigned rays, Floats weight);
     void go_through(std::size_t depth);
     void go_through(std::size_t depth, const Numbers& rays, Medium medium, Numbers& total_reflection);
     void mirror(std::size_t depth);
 
-    /// Adds a ray of `next` that starts where ray `parent` of `from` met something, unless it is pruned: task 3.8.
-    void branch(const Frame& from, Number parent, const Spread3& directions, int lane, float weight, Frame& next);
+    /// Adds rays to `next` that start where those of the chunk met something, but for those that are pruned: task 3.8.
+    void branch(const Frame& from, const Chunk& chunk, unsigned rays, const Vec3s& directions, Floats weight,
+                Frame& next);
+    void raise(const Frame& from, Frame& next) const;
     Reals fresnel_iors(const Frame& frame, const Chunk& chunk) const;
     const Interior* fading(const Frame& frame, Medium medium) const;
     void fade(const Interior& interior, const Frame& frame, Frame& next) const;
@@ -73,6 +76,7 @@ private:
     const PacketIntersector& intersector_;
     World& world_;
     Shadows shadows_;
+    bool has_exponents_;  ///< of mirrors
     std::vector<std::unique_ptr<Frame>> frames_;
     double* pruned_ = nullptr;             ///< of the block in hand
     const SampleRays* samples_ = nullptr;  ///< in hand; null: a block of pixels
