@@ -89,6 +89,11 @@ struct VectorColumns {
     double of[3][Block::kMost];
 
     Vec3s load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
+    /// Eight from `first` on.
+    Vec3s load(int first) const {
+        return {Reals::load_anywhere(of[0] + first), Reals::load_anywhere(of[1] + first),
+                Reals::load_anywhere(of[2] + first)};
+    }
     void store(int first, const Vec3s& v) {
         for (int a = 0; a < 3; ++a) v[a].store_anywhere(of[a] + first);
     }
@@ -105,25 +110,36 @@ struct VectorColumns {
     }
 };
 
-/// Calls what(chunk) for rays that go the same way, eight by eight: the signs of their directions and the longest axis.
+/// The ways that eight rays go, from 0 to 23: the signs of their directions and the longest axis.
+inline __m256i ways_of(const Vec3s& d) {
+    const auto where = [](Mask mask, int yes, int no) {
+        const __m256 both[2] = {_mm256_castsi256_ps(_mm256_set1_epi32(yes)), _mm256_castsi256_ps(_mm256_set1_epi32(no))};
+        return _mm256_castps_si256(select(narrow(mask), both[0], both[1]));
+    };
+    const Reals zero(0.0), x = abs(d.x), y = abs(d.y), z = abs(d.z);
+    const Mask by_x = (x >= y) & (x >= z), by_y = (y >= z) - by_x, by_z = Mask::of(kAllLanes) - by_x - by_y;
+    const __m256i signs = _mm256_or_si256(_mm256_or_si256(where(d.x < zero, 1, 0), where(d.y < zero, 2, 0)),
+                                          where(d.z < zero, 4, 0));
+    return _mm256_or_si256(signs, _mm256_or_si256(where(by_y, 8, 0), where(by_z, 16, 0)));
+}
+
+/// Calls what(chunk) for rays that go the same way, eight by eight.
 template <class What>
 void each_chunk_by_way(const VectorColumns& direction, int count, const What& what) {
-    const auto way_of = [&](int n) {
-        const double x = direction.of[0][n], y = direction.of[1][n], z = direction.of[2][n];
-        const double ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
-        const int axis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
-        return (x < 0) | (y < 0) << 1 | (z < 0) << 2 | axis << 3;
-    };
     constexpr int kWays = 24;
-    int way[Block::kMost], begin[kWays + 1] = {}, next[kWays];
-    for (int n = 0; n < count; ++n) ++begin[(way[n] = way_of(n)) + 1];
-    for (int w = 0; w < kWays; ++w) begin[w + 1] += begin[w];
-    std::copy(begin, begin + kWays, next);
-    Numbers ordered;
-    ordered.count = count;
-    for (int n = 0; n < count; ++n) ordered.of[next[way[n]]++] = static_cast<Number>(n);
-    for (int w = 0; w < kWays; ++w)
-        for (int first = begin[w]; first < begin[w + 1]; first += kLanes) what(Chunk(ordered.of, first, begin[w + 1]));
+    alignas(32) std::int32_t way[Block::kMost];
+    for (int first = 0; first < count; first += kLanes)  // of lanes without a ray, too: they are not looked at
+        _mm256_store_si256(reinterpret_cast<__m256i*>(way + first), ways_of(direction.load(first)));
+    std::uint16_t counts[kWays] = {}, next[kWays];
+    unsigned taken = 0;
+    for (int n = 0; n < count; ++n) ++counts[way[n]], taken |= 1u << way[n];
+    std::uint16_t begin = 0;
+    each_lane(taken, [&](int w) { next[w] = begin, begin = static_cast<std::uint16_t>(begin + counts[w]); });
+    Number ordered[Block::kMost];
+    for (int n = 0; n < count; ++n) ordered[next[way[n]]++] = static_cast<Number>(n);
+    each_lane(taken, [&](int w) {  // next is where the way ends by now
+        for (int first = next[w] - counts[w]; first < next[w]; first += kLanes) what(Chunk(ordered, first, next[w]));
+    });
 }
 
 struct LightColumns {
