@@ -5,6 +5,10 @@
 
 #include <cstdint>
 
+// glibc's vector library (libmvec), by the names of the x86-64 vector ABI: four doubles, AVX2.
+extern "C" __m256d _ZGVdN4vv_pow(__m256d, __m256d);
+extern "C" __m256d _ZGVdN4v_exp(__m256d);
+
 namespace rays::packets {
 
 /// For each lane yes (all bits) or no (none).
@@ -100,6 +104,10 @@ inline Reals copysign(Reals size, Reals sign) {
 inline Reals fma(Reals a, Reals b, Reals c) {
     return {_mm256_fmadd_pd(a.lo, b.lo, c.lo), _mm256_fmadd_pd(a.hi, b.hi, c.hi)};
 }
+
+/// a^b and e^a, to less than 4 units in the last place.
+inline Reals pow(Reals a, Reals b) { return {_ZGVdN4vv_pow(a.lo, b.lo), _ZGVdN4vv_pow(a.hi, b.hi)}; }
+inline Reals exp(Reals a) { return {_ZGVdN4v_exp(a.lo), _ZGVdN4v_exp(a.hi)}; }
 
 /// A mask as floats see it.
 using FloatMask = __m256;

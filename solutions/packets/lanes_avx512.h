@@ -5,6 +5,11 @@
 
 #include <cstdint>
 
+// glibc's vector library (libmvec), by the names of the x86-64 vector ABI: eight doubles, AVX-512. Of 48 million results
+// none differed from those of four doubles.
+extern "C" __m512d _ZGVeN8vv_pow(__m512d, __m512d);
+extern "C" __m512d _ZGVeN8v_exp(__m512d);
+
 namespace rays::packets {
 
 /// For each lane yes or no.
@@ -78,6 +83,10 @@ inline Reals copysign(Reals size, Reals sign) {
 }
 /// a b + c, rounded once.
 inline Reals fma(Reals a, Reals b, Reals c) { return _mm512_fmadd_pd(a.v, b.v, c.v); }
+
+/// a^b and e^a, to less than 4 units in the last place.
+inline Reals pow(Reals a, Reals b) { return _ZGVeN8vv_pow(a.v, b.v); }
+inline Reals exp(Reals a) { return _ZGVeN8v_exp(a.v); }
 
 /// A mask as floats see it.
 using FloatMask = __mmask8;

@@ -2,10 +2,6 @@
 
 #include <cmath>
 
-// glibc's vector library (libmvec), by the names of the x86-64 vector ABI: four doubles, AVX2.
-extern "C" __m256d _ZGVdN4vv_pow(__m256d, __m256d);
-extern "C" __m256d _ZGVdN4v_exp(__m256d);
-
 namespace rays::packets {
 namespace {
 
@@ -163,12 +159,8 @@ void set_pigment(const Scene& scene, const Pigment& pigment, Surfaces& at) {
 }  // namespace
 
 Reals power(Mask lanes, Reals x, double exponent) {
-    const Reals base = select(lanes, x, Reals(1));
-    const __m256d e = _mm256_set1_pd(exponent);
-    return {_ZGVdN4vv_pow(base.first_four(), e), _ZGVdN4vv_pow(base.last_four(), e)};
+    return pow(select(lanes, x, Reals(1)), Reals(exponent));
 }
-
-Reals exponential(Reals x) { return {_ZGVdN4v_exp(x.first_four()), _ZGVdN4v_exp(x.last_four())}; }
 
 Radiances absorption(const Interior& interior, Reals distance) {
     const Reals relative = distance / Reals(interior.fade_distance);
@@ -177,7 +169,7 @@ Radiances absorption(const Interior& interior, Reals distance) {
         const Reals weaker = Reals(1) + power(Mask::of(kAllLanes), relative, interior.fade_power);
         return left + Floats(Reals(1) / weaker) * lost;
     }
-    const auto through = [&](float of_light) { return Floats(exponential(Reals(-(1.0f - of_light)) * relative)); };
+    const auto through = [&](float of_light) { return Floats(exp(Reals(-(1.0f - of_light)) * relative)); };
     return {through(interior.fade_color[0]), through(interior.fade_color[1]), through(interior.fade_color[2])};
 }
 

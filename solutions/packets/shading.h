@@ -52,9 +52,6 @@ Radiances direct_light(const Scene& scene, Shadows& shadows, const SampleRays* s
 /// What is left of light after these ways: task 3.6. fade_distance is positive.
 Radiances absorption(const Interior& interior, Reals distance);
 
-/// e^x. To less than 4 units in the last place, as power().
-Reals exponential(Reals x);
-
 /// x^exponent for positive x; 1 for the lanes that are not asked. To less than 4 units in the last place.
 Reals power(Mask lanes, Reals x, double exponent);
 
