@@ -15,7 +15,6 @@ struct Illuminations {
 
 bool is_parallel(const Light& light) { return light.parallel || light.kind == Light::Kind::cylinder; }
 
-/// From the light to what it points at.
 Vec3 axis_of(const Light& light) {
     const Vec3 along = light.point_at - light.location;
     const Real length = glm::length(along);
@@ -29,23 +28,25 @@ Reals fading(const Light& light, Mask lanes, Reals distance) {
     return Reals(2) / (Reals(1) + grown);
 }
 
+Real one_minus_cos(Real angle) { return 2 * std::sin(angle / 2) * std::sin(angle / 2); }
+
 Reals smooth_step(Reals s) { return (Reals(3) - Reals(2) * s) * s * s; }
 
 /// Where a spotlight's part is computed from, as in step 2; a root takes the place of hypot, whose last bits are gone
 /// once the result is a float.
-Reals spot_profile(const Light& light, Mask lanes, Reals along, Reals from_axis) {
+Reals spot_profile(const Light& light, const Lamp& lamp, Mask lanes, Reals along, Reals from_axis) {
     const Reals distance = sqrt(along * along + from_axis * from_axis), one(1), zero(0.0);
     const Reals tight = light.tightness == 0 ? one : power(lanes, along / distance, light.tightness);
-    const auto one_minus_cos = [](Real angle) { return 2 * std::sin(angle / 2) * std::sin(angle / 2); };
     const Reals here = from_axis * from_axis / (distance * (distance + along));
-    const Real full = one_minus_cos(light.radius_rad), end = one_minus_cos(light.falloff_rad);
-    if (full >= 1) return tight;
-    const Reals rim = select(here < Reals(end), tight * smooth_step((Reals(end) - here) / Reals(end - full)), zero);
-    return select(here <= Reals(full), tight, rim);
+    if (lamp.full >= 1) return tight;
+    const Reals to_end = Reals(lamp.nothing) - here;
+    const Reals rim =
+        select(here < Reals(lamp.nothing), tight * smooth_step(to_end / Reals(lamp.nothing - lamp.full)), zero);
+    return select(here <= Reals(lamp.full), tight, rim);
 }
 
 /// Task 2.7. Cylinders are rare: they are asked point by point.
-Reals cone_of_light(const Light& light, Mask lanes, const Vec3s& point) {
+Reals cone_of_light(const Light& light, const Lamp& lamp, Mask lanes, const Vec3s& point) {
     if (light.kind == Light::Kind::point) return Reals(1);
     if (light.kind == Light::Kind::cylinder) {
         const Spread3 points(point);
@@ -53,12 +54,12 @@ Reals cone_of_light(const Light& light, Mask lanes, const Vec3s& point) {
         each_lane(lanes.bits(), [&](int i) { cone.lane[i] = rays::cone_of_light(light, points[i]); });
         return Reals::load(cone.lane);
     }
-    const Vec3s axis(axis_of(light)), from_light = point - Vec3s(light.location);
+    const Vec3s axis(lamp.axis), from_light = point - Vec3s(light.location);
     const Reals along = dot(from_light, axis), zero(0.0);
     const Mask before = lanes & (along > zero);
     if (light.parallel) return select(before, Reals(1), zero);
     const Reals from_axis = length(from_light - along * axis);
-    return select(before, spot_profile(light, before, along, from_axis), zero);
+    return select(before, spot_profile(light, lamp, before, along, from_axis), zero);
 }
 
 /// Where light number `light` is for each of the points.
@@ -74,10 +75,10 @@ Vec3s places_of(const Light& light, std::size_t number, const SampleRays* sample
 }
 
 /// `place` is where the light is; only a point of an area light is not where the scene has it.
-Illuminations illuminate(const Light& light, const Vec3s& place, Mask lanes, const Vec3s& point) {
+Illuminations illuminate(const Light& light, const Lamp& lamp, const Vec3s& place, Mask lanes, const Vec3s& point) {
     Illuminations result;
     if (is_parallel(light)) {
-        result.to_light = -axis_of(light);
+        result.to_light = -lamp.axis;
         result.distance = dot(Vec3s(light.location) - point, result.to_light);
         result.are = lanes;
     } else {
@@ -86,7 +87,7 @@ Illuminations illuminate(const Light& light, const Vec3s& place, Mask lanes, con
         result.to_light = {to_light.x / result.distance, to_light.y / result.distance, to_light.z / result.distance};
         result.are = lanes & (result.distance > Reals(0));
     }
-    const Floats strength(fading(light, lanes, result.distance) * cone_of_light(light, lanes, point));
+    const Floats strength(fading(light, lanes, result.distance) * cone_of_light(light, lamp, lanes, point));
     result.radiance = strength * Radiances(light.color);
     return result;
 }
@@ -158,9 +159,7 @@ void set_pigment(const Scene& scene, const Pigment& pigment, Surfaces& at) {
 
 }  // namespace
 
-Reals power(Mask lanes, Reals x, double exponent) {
-    return pow(select(lanes, x, Reals(1)), Reals(exponent));
-}
+Reals power(Mask lanes, Reals x, double exponent) { return pow(select(lanes, x, Reals(1)), Reals(exponent)); }
 
 Radiances absorption(const Interior& interior, Reals distance) {
     const Reals relative = distance / Reals(interior.fade_distance);
@@ -172,6 +171,9 @@ Radiances absorption(const Interior& interior, Reals distance) {
     const auto through = [&](float of_light) { return Floats(exp(Reals(-(1.0f - of_light)) * relative)); };
     return {through(interior.fade_color[0]), through(interior.fade_color[1]), through(interior.fade_color[2])};
 }
+
+Lamp::Lamp(const Light& light)
+    : axis(axis_of(light)), full(one_minus_cos(light.radius_rad)), nothing(one_minus_cos(light.falloff_rad)) {}
 
 Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
                      const Material& material) {
@@ -239,14 +241,14 @@ Radiances Shadows::filtered(const Rays& rays, Mask open, Span span, const Inside
     return {Floats::load(lanes[0]), Floats::load(lanes[1]), Floats::load(lanes[2])};
 }
 
-Radiances direct_light(const Scene& scene, Shadows& shadows, const SampleRays* samples, const Surfaces& at,
-                       const Inside& inside) {
+Radiances direct_light(const Scene& scene, const std::vector<Lamp>& lamps, Shadows& shadows, const SampleRays* samples,
+                       const Surfaces& at, const Inside& inside) {
     const Finish& finish = *at.finish;
     Radiances sum = at.opacity * at.color * Radiances(finish.ambient * scene.settings.ambient_light + finish.emission);
     if (!(finish.diffuse > 0) && !(finish.phong > 0) && !(finish.specular > 0)) return sum;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& source = scene.lights[i];
-        Illuminations light = illuminate(source, places_of(source, i, samples, at), at.are, at.point);
+        Illuminations light = illuminate(source, lamps[i], places_of(source, i, samples, at), at.are, at.point);
         const Reals n_dot_l = dot(at.normal, light.to_light);
         light.are = light.are & is_not_black(light.radiance) & (n_dot_l > Reals(0));
         if (!light.are.any()) continue;

@@ -26,6 +26,14 @@ struct Surfaces {
 Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
                      const Material& material);
 
+/// What of a light is the same for all points.
+struct Lamp {
+    explicit Lamp(const Light& light);
+
+    Vec3 axis;           ///< from the light to what it points at
+    Real full, nothing;  ///< spotlights: 1 - cosine of the half angles of full light and of its end
+};
+
 /// How much of the light number `light` gets to the points, in the given directions and distances.
 class Shadows {
 public:
@@ -46,8 +54,8 @@ private:
 };
 
 /// `samples`: null, or where the lights are for each sample.
-Radiances direct_light(const Scene& scene, Shadows& shadows, const SampleRays* samples, const Surfaces& surfaces,
-                       const Inside& inside);
+Radiances direct_light(const Scene& scene, const std::vector<Lamp>& lamps, Shadows& shadows, const SampleRays* samples,
+                       const Surfaces& surfaces, const Inside& inside);
 
 /// What is left of light after these ways: task 3.6. fade_distance is positive.
 Radiances absorption(const Interior& interior, Reals distance);

@@ -56,6 +56,7 @@ Tracer::Tracer(const PacketIntersector& intersector, World& world)
     : scene_(world.scene),
       intersector_(intersector),
       world_(world),
+      lamps_(world.scene.lights.begin(), world.scene.lights.end()),
       shadows_(intersector, world),
       has_exponents_(std::any_of(scene_.materials.begin(), scene_.materials.end(),
                                  [](const Material& m) { return m.finish.reflection.exponent != 1; })) {}
@@ -231,7 +232,7 @@ void Tracer::light(Frame& f, const Numbers& hits) {
             for (int i = 0; i < kLanes; ++i) at.tree[i] = f.batch.pixel[chunk.of[i]];
             if (samples_->roughness && material.finish.glossy > 0) tilt(f, chunk, at);
         }
-        f.brought.store(chunk, chunk.lanes, direct_light(scene_, shadows_, samples_, at, f.batch.inside));
+        f.brought.store(chunk, chunk.lanes, direct_light(scene_, lamps_, shadows_, samples_, at, f.batch.inside));
         if (goes_on) divide(f, chunk, material, at);
     });
 }

@@ -75,6 +75,7 @@ private:
     const Scene& scene_;
     const PacketIntersector& intersector_;
     World& world_;
+    const std::vector<Lamp> lamps_;
     Shadows shadows_;
     bool has_exponents_;  ///< of mirrors
     std::vector<std::unique_ptr<Frame>> frames_;
