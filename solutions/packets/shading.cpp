@@ -199,6 +199,22 @@ Radiances Shadows::visibility(std::size_t light, const Surfaces& at, Mask lanes,
     return met.clear.any() ? select(met.clear, filtered(rays, met.clear, span, inside), left) : left;
 }
 
+/// What is left of light after ways through media that take some; null: through none.
+void absorb(const Interior* (&crossed)[kLanes], const Spread& ways, Radiance (&left)[kLanes]) {
+    for (int first = 0; first < kLanes; ++first) {
+        const Interior* interior = crossed[first];
+        if (!interior) continue;
+        const Radiances factors = absorption(*interior, Reals::load(ways.lane));
+        alignas(32) float of[3][kLanes];
+        factors.r.store(of[0]), factors.g.store(of[1]), factors.b.store(of[2]);
+        for (int i = first; i < kLanes; ++i) {
+            if (crossed[i] != interior) continue;
+            for (int c = 0; c < 3; ++c) left[i][c] *= of[c][i];
+            crossed[i] = nullptr;
+        }
+    }
+}
+
 /// Task 3.7: from hit to hit, in the media that each shadow ray is in.
 Radiances Shadows::filtered(const Rays& rays, Mask open, Span span, const Inside& inside) const {
     const Scene& scene = world_.scene;
@@ -213,6 +229,8 @@ Radiances Shadows::filtered(const Rays& rays, Mask open, Span span, const Inside
     while (open.any()) {
         const Hits hits = intersector_.nearest(rays, open, span);
         unsigned going_on = hits.are;
+        const Interior* crossed[kLanes] = {};
+        Spread ways(Reals(0.0));
         each_lane(hits.are, [&](int i) {
             starts.lane[i] = hits.t[i];
             if (scene.objects[hits.object[i]].no_shadow) return;
@@ -225,13 +243,15 @@ Radiances Shadows::filtered(const Rays& rays, Mask open, Span span, const Inside
             const Medium medium = medium_of(scene, hits.object[i]);
             if (media[i].leave(medium)) {
                 const Interior* interior = interior_of(scene, medium);
-                if (interior && interior->fade_power > 0) left[i] *= absorption(*interior, hits.t[i] - last_caster[i]);
+                if (interior && interior->fade_power > 0 && interior->fade_distance > 0) crossed[i] = interior;
+                ways.lane[i] = hits.t[i] - last_caster[i];
             } else {
                 media[i].enter(medium);
             }
             last_caster[i] = hits.t[i];
             starts.lane[i] = hits.t[i] + kShadowTolerance;
         });
+        absorb(crossed, ways, left);
         open = Mask::of(going_on);
         span.near = Reals::load(starts.lane);
     }
