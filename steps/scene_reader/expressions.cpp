@@ -60,18 +60,25 @@ bool Interpreter::vector_follows() {
            (token.kind == Token::Kind::value && token.value->as<Numbers>());
 }
 
+// Here and below every function returns one variable of its own, in place: numbers that are copied as a whole right after
+// they were set one by one take longer than what is done with them.
 Numbers Interpreter::expression(int wanted) {
     const Nesting nesting(*this);
     Numbers value = logical(1);
-    if (!accept('?')) {
+    if (accept('?'))
+        choose(value, wanted);
+    else
         promote(value, wanted);
-        return value;
-    }
+    return value;
+}
+
+void Interpreter::choose(Numbers& value, int wanted) {
     if (value.count != 1) fail(peek(), "the condition in front of '?' is a vector; compare floats");
+    const bool first = is_true(value.at[0]);
     const Numbers if_true = expression(wanted);
     expect(':', "a conditional expression");
     const Numbers if_false = expression(wanted);
-    return is_true(value.at[0]) ? if_true : if_false;
+    value = first ? if_true : if_false;
 }
 
 Numbers Interpreter::logical(int wanted) {
@@ -88,8 +95,7 @@ Numbers Interpreter::logical(int wanted) {
 }
 
 Numbers Interpreter::comparison(int wanted) {
-    if (string_follows()) return filled(string_comparison(), wanted);
-    Numbers left = sum(wanted);
+    Numbers left = string_follows() ? filled(string_comparison(), wanted) : sum(wanted);
     for (;;) {
         const Token& token = peek();
         if (token.kind != Token::Kind::symbol) return left;
@@ -165,20 +171,15 @@ Numbers Interpreter::factor(int wanted) {
     const bool outer_hold = std::exchange(hold_, false);  // directives may stand in front of an operand
     while (accept('+')) {
     }
-    Numbers value;
-    if (accept('-')) {
+    const bool is_negative = accept('-'), is_not = !is_negative && accept('!');
+    if (is_negative || is_not)
         hold_ = outer_hold;
-        value = factor(wanted);
-        for (int i = 0; i < value.count; ++i) value.at[i] = -value.at[i];
-    } else if (accept('!')) {
-        hold_ = outer_hold;
-        value = factor(wanted);
-        for (int i = 0; i < value.count; ++i) value.at[i] = is_true(value.at[i]) ? 0 : 1;
-    } else {
+    else
         peek();
-        value = primary(wanted);
-        hold_ = outer_hold;
-    }
+    Numbers value = is_negative || is_not ? factor(wanted) : primary(wanted);
+    hold_ = outer_hold;
+    for (int i = 0; i < value.count && is_negative; ++i) value.at[i] = -value.at[i];
+    for (int i = 0; i < value.count && is_not; ++i) value.at[i] = is_true(value.at[i]) ? 0 : 1;
     while (accept('.')) component(value);
     return value;
 }
@@ -189,11 +190,7 @@ Numbers Interpreter::primary(int wanted) {
         case Token::Kind::number: return filled(token.number, wanted);
         case Token::Kind::value: return value_of(token, wanted);
         case Token::Kind::symbol:
-            if (token.symbol == '(') {
-                const Numbers value = expression(wanted);
-                expect(')', "an expression");
-                return value;
-            }
+            if (token.symbol == '(') return in_parentheses(wanted);
             if (token.symbol == '<') return angle_brackets();
             break;
         case Token::Kind::word: {
@@ -216,6 +213,12 @@ Numbers Interpreter::primary(int wanted) {
     peeked_ = token;
     has_peeked_ = true;
     unexpected("a number or a vector");
+}
+
+Numbers Interpreter::in_parentheses(int wanted) {
+    Numbers value = expression(wanted);
+    expect(')', "an expression");
+    return value;
 }
 
 bool Interpreter::parameter(NameId name, double& result) const {

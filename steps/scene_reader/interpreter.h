@@ -230,6 +230,8 @@ private:
     Numbers product(int wanted);
     Numbers factor(int wanted);
     Numbers primary(int wanted);
+    Numbers in_parentheses(int wanted);
+    void choose(Numbers& condition, int wanted);
     Numbers value_of(const Token& token, int wanted);
     bool parameter(NameId name, double& result) const;
     void component(Numbers& numbers);
