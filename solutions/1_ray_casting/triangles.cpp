@@ -112,7 +112,7 @@ bool back_facing(const Vec3& outward_normal, const Vec3& direction) {
 namespace {
 
 /// Corners at the same place are one: the number of the first of them, for each.
-std::vector<std::uint32_t> welded(const std::vector<Vec3>& positions) {
+std::vector<std::uint32_t> welded(std::span<const Vec3> positions) {
     const auto hash = [](const Vec3& p) {
         const std::hash<Real> h;
         return (h(p.x + 0) * 0x9e3779b97f4a7c15ull + h(p.y + 0)) * 0x9e3779b97f4a7c15ull + h(p.z + 0);  // -0 + 0 is +0

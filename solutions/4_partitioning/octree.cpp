@@ -271,7 +271,7 @@ private:
 
     /// Calls ask(primitive, far) until it says true; `far` is how far the ray still has to go.
     template <class Ask>
-    bool ask_leaves(const Ray& ray, Interval range, Ask ask) const {
+    bool ask_leaves(const Ray& ray, Interval range, const Ask& ask) const {
         const auto usable = without_zeros(ray);
         if (!usable) return false;
         Real far = range.max;
@@ -283,11 +283,12 @@ private:
     }
 
     template <bool kWatched, class Ask>
-    bool walk(const Ray& ray, Interval range, Real far, Ask ask) const {
+    bool walk(const Ray& ray, Interval range, Real far, const Ask& ask) const {
         Mailbox mailbox;
         wide::BoxRay box_ray(ray, range);
         const auto ask_leaf = [&](const Node& leaf) {
             const std::uint32_t end = leaf.first + leaf.count;
+            __builtin_prefetch(&tree_.items[leaf.first]);  // looked at only once the boxes are there
             for (std::uint32_t first = leaf.first / wide::kWidth * wide::kWidth; first < end; first += wide::kWidth) {
                 unsigned met = box_ray.meets(boxes_[first / wide::kWidth]);
                 if (first < leaf.first) met &= ~0u << (leaf.first - first);  // those before are another leaf's
@@ -328,7 +329,7 @@ private:
     }
 
     template <class Ask>
-    bool ask_all_of(const Node& leaf, Real& far, Ask ask) const {
+    bool ask_all_of(const Node& leaf, Real& far, const Ask& ask) const {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
             if (ask(tree_.items[k], far)) return true;
         return false;
@@ -336,7 +337,7 @@ private:
 
     /// For rays from so far away that their rounding is larger than the slack: every box as large as the blur.
     template <class Ask>
-    bool walk_blurred(const Ray& ray, Interval range, Real far, Real blur, Ask ask) const {
+    bool walk_blurred(const Ray& ray, Interval range, Real far, Real blur, const Ask& ask) const {
         struct Blurred {
             Node node;
             Bounds box;
@@ -377,7 +378,7 @@ private:
     Real slack_ = 0;
     std::vector<std::uint32_t> outside_;  ///< asked by every ray
     Tree tree_;
-    std::vector<wide::Boxes> boxes_;      ///< of the tree's items, eight by eight
+    LargeVector<wide::Boxes> boxes_;      ///< of the tree's items, eight by eight
 };
 
 }  // namespace

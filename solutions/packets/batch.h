@@ -113,13 +113,14 @@ struct VectorColumns {
 /// The ways that eight rays go, from 0 to 23: the signs of their directions and the longest axis.
 inline __m256i ways_of(const Vec3s& d) {
     const auto where = [](Mask mask, int yes, int no) {
-        const __m256 both[2] = {_mm256_castsi256_ps(_mm256_set1_epi32(yes)), _mm256_castsi256_ps(_mm256_set1_epi32(no))};
+        const __m256 both[2] = {_mm256_castsi256_ps(_mm256_set1_epi32(yes)),
+                                _mm256_castsi256_ps(_mm256_set1_epi32(no))};
         return _mm256_castps_si256(select(narrow(mask), both[0], both[1]));
     };
     const Reals zero(0.0), x = abs(d.x), y = abs(d.y), z = abs(d.z);
     const Mask by_x = (x >= y) & (x >= z), by_y = (y >= z) - by_x, by_z = Mask::of(kAllLanes) - by_x - by_y;
-    const __m256i signs = _mm256_or_si256(_mm256_or_si256(where(d.x < zero, 1, 0), where(d.y < zero, 2, 0)),
-                                          where(d.z < zero, 4, 0));
+    const __m256i signs =
+        _mm256_or_si256(_mm256_or_si256(where(d.x < zero, 1, 0), where(d.y < zero, 2, 0)), where(d.z < zero, 4, 0));
     return _mm256_or_si256(signs, _mm256_or_si256(where(by_y, 8, 0), where(by_z, 16, 0)));
 }
 

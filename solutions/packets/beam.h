@@ -15,6 +15,8 @@ public:
         const FloatMask in = narrow(active);
         for (int a = 0; a < 3; ++a) {
             const bool forwards = way.forwards[a];
+            near_planes_[a] = forwards ? wide::Boxes::lower(a) : wide::Boxes::upper(a);
+            far_planes_[a] = forwards ? wide::Boxes::upper(a) : wide::Boxes::lower(a);
             const __m256 off = rounding_of(origin_[a]), less = origin_[a] - off, more = origin_[a] + off;
             lane_near_origin_[a] = forwards ? more : less;
             lane_far_origin_[a] = forwards ? less : more;
@@ -51,10 +53,8 @@ public:
     unsigned rays_that_meet(const wide::Node& node, unsigned child) const {
         __m256 near = near_, far = far_;
         for (int a = 0; a < 3; ++a) {
-            const float* near_plane = way_.forwards[a] ? &node.lo[a][child] : &node.hi[a][child];
-            const float* far_plane = way_.forwards[a] ? &node.hi[a][child] : &node.lo[a][child];
-            const __m256 to_near = _mm256_broadcast_ss(near_plane) - lane_near_origin_[a];
-            const __m256 to_far = _mm256_broadcast_ss(far_plane) - lane_far_origin_[a];
+            const __m256 to_near = _mm256_broadcast_ss(node.planes(near_planes_[a]) + child) - lane_near_origin_[a];
+            const __m256 to_far = _mm256_broadcast_ss(node.planes(far_planes_[a]) + child) - lane_far_origin_[a];
             near = _mm256_max_ps(near, to_near * lane_near_inverse_[a]);
             far = _mm256_min_ps(far, to_far * lane_far_inverse_[a]);
         }
@@ -65,8 +65,8 @@ public:
     unsigned meets(const wide::Node& node, float* enters) const {
         __m256 near[3], far[3];
         for (int a = 0; a < 3; ++a) {
-            near[a] = _mm256_load_ps(way_.forwards[a] ? node.lo[a] : node.hi[a]);
-            far[a] = _mm256_load_ps(way_.forwards[a] ? node.hi[a] : node.lo[a]);
+            near[a] = _mm256_load_ps(node.planes(near_planes_[a]));
+            far[a] = _mm256_load_ps(node.planes(far_planes_[a]));
         }
         return between(near, far, enters);
     }
@@ -141,6 +141,7 @@ private:
     __m256 near_origin_[3], far_origin_[3], inverse_min_[3], inverse_max_[3], first_near_, last_far_;
     __m256 lane_near_origin_[3], lane_far_origin_[3], lane_near_inverse_[3], lane_far_inverse_[3];
     float far_end_ = 0;
+    std::size_t near_planes_[3], far_planes_[3];
     Directions::Way way_;
 };
 

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-// glibc's vector library (libmvec), by the names of the x86-64 vector ABI: eight doubles, AVX-512. Of 48 million results
-// none differed from those of four doubles.
+// glibc's vector library (libmvec), by the names of the x86-64 vector ABI: eight doubles, AVX-512. Of 48 million
+// results none differed from those of four doubles.
 extern "C" __m512d _ZGVeN8vv_pow(__m512d, __m512d);
 extern "C" __m512d _ZGVeN8v_exp(__m512d);
 

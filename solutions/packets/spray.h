@@ -43,7 +43,7 @@ public:
 
     /// A bit for each child whose box some ray may meet; where the first may enter, in `enters` (aligned).
     unsigned meets(const wide::Node& node, float* enters) const {
-        const __m256 is_there = _mm256_cmp_ps(_mm256_load_ps(node.lo[0]), _mm256_load_ps(node.hi[0]), _CMP_LE_OQ);
+        const __m256 is_there = _mm256_cmp_ps(_mm256_load_ps(node.lo(0)), _mm256_load_ps(node.hi(0)), _CMP_LE_OQ);
         unsigned met = 0;
         for (auto rest = static_cast<unsigned>(_mm256_movemask_ps(is_there)); rest != 0; rest &= rest - 1) {
             const auto child = static_cast<unsigned>(__builtin_ctz(rest));
@@ -61,8 +61,8 @@ private:
     unsigned rays_that_meet(const wide::Node& node, unsigned child, float& enters) const {
         __m256 near = near_, far = far_;
         for (int a = 0; a < 3; ++a) {
-            const __m256 to_lo = (_mm256_broadcast_ss(&node.lo[a][child]) - more_[a]) * inverse_[a];
-            const __m256 to_hi = (_mm256_broadcast_ss(&node.hi[a][child]) - less_[a]) * inverse_[a];
+            const __m256 to_lo = (_mm256_broadcast_ss(&node.lo(a)[child]) - more_[a]) * inverse_[a];
+            const __m256 to_hi = (_mm256_broadcast_ss(&node.hi(a)[child]) - less_[a]) * inverse_[a];
             near = _mm256_max_ps(near, _mm256_min_ps(to_lo, to_hi) * _mm256_set1_ps(1 - kSlack));
             far = _mm256_min_ps(far, _mm256_max_ps(to_lo, to_hi) * _mm256_set1_ps(1 + kSlack));
         }

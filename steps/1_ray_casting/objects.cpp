@@ -91,8 +91,10 @@ namespace {
 /// In the object's own space, and not where a clip cuts it away. intersect_shape(shape, local ray, range) finds roots.
 template <class IntersectShape>
 std::optional<Root> intersect_placed(const Scene& scene, const Object& object, const Ray& ray, Interval range,
-                                     IntersectShape intersect_shape) {
-    const Ray local = object.transform == kNone ? ray : ray_to_local(scene.transforms[object.transform], ray);
+                                     const IntersectShape& intersect_shape) {
+    std::optional<Ray> moved;
+    if (object.transform != kNone) moved = ray_to_local(scene.transforms[object.transform], ray);
+    const Ray& local = moved ? *moved : ray;
     return with_shape(scene, object, [&](const auto& shape) -> std::optional<Root> {
         if (object.clip == kNone) return intersect_shape(shape, local, range);
         return first_unclipped(scene, scene.clips[object.clip], ray, range,

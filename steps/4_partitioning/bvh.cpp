@@ -1,10 +1,8 @@
-// Beyond the step: a bounding volume hierarchy with eight children a node. Boxes, triangles, spheres and cones are tested
-// eight at once in float; they only decide whom to ask, and the shared test of a primitive, in `Real`, gives the
+// Beyond the step: a bounding volume hierarchy with eight children a node. Boxes, triangles, spheres and cones are
+// tested eight at once in float; they only decide whom to ask, and the shared test of a primitive, in `Real`, gives the
 // answer.
 #include <algorithm>
 #include <atomic>
-#include <bit>
-#include <cmath>
 
 #include "4_partitioning/primitive_tester.h"
 #include "4_partitioning/structures.h"

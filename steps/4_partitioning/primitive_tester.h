@@ -8,6 +8,7 @@
 
 #include "4_partitioning/effort.h"
 #include "4_partitioning/partitioning.h"
+#include "core/large_pages.h"
 
 namespace rays {
 
@@ -71,7 +72,7 @@ private:
     }
 
     const Scene* scene_;
-    std::vector<Dispatch> dispatch_;
+    LargeVector<Dispatch> dispatch_;
 };
 
 inline void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range,

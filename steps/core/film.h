@@ -24,7 +24,7 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.width) + static_cast<std::size_t>(x);
     }
     Raster raster_;
-    std::vector<Radiance, LargePages<Radiance>> pixels_;
+    LargeVector<Radiance> pixels_;
 };
 
 /// Writes the lanes that have a name, R, G and B as a rule, as 32-bit floats. The file appears whole or not at all.

@@ -1,4 +1,4 @@
-// Memory for large arrays that are written once from end to end.
+// Memory for large arrays.
 #pragma once
 
 #include <sys/mman.h>
@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 namespace rays {
 
@@ -39,5 +40,9 @@ private:
     static constexpr std::size_t kPage = std::size_t(2) << 20;
     static constexpr std::size_t kMost = (~std::size_t(0) - kPage) / sizeof(T);
 };
+
+/// What rays jump about in, among millions: each page that the processor has to look up is waited for.
+template <class T>
+using LargeVector = std::vector<T, LargePages<T>>;
 
 }  // namespace rays

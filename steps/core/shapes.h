@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/large_pages.h"
 #include "core/vec.h"
 
 namespace rays {
@@ -59,9 +60,9 @@ struct Mesh {
     };
     static constexpr std::uint32_t kObjectMaterial = 0xffffffff;  ///< the face wears its object's material
 
-    std::vector<Vec3> positions;
-    std::vector<Vec3> normals;  ///< unit length
-    std::vector<Face> faces;
+    LargeVector<Vec3> positions;
+    LargeVector<Vec3> normals;  ///< unit length
+    LargeVector<Face> faces;
     // Computed by step 1, prepare():
     BoundingSphere bound;
     /// +1: closed, faces counter-clockwise seen from outside in a right-handed view of the coordinates; -1: closed,

@@ -113,7 +113,7 @@ struct PolygonDraft {
 };
 struct MeshDraft {
     std::vector<V3> positions, normals;
-    std::vector<Mesh::Face> faces;  ///< material: into `surfaces`
+    LargeVector<Mesh::Face> faces;  ///< material: into `surfaces`
     std::vector<Shared<SurfaceDraft>> surfaces;
 };
 struct BoxDraft {

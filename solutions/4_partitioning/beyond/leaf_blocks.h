@@ -54,16 +54,12 @@ inline LeafKind leaf_kind(const Scene& scene, Primitive p) {
     const Object& object = scene.objects[p.object];
     if (object.transform != kNone) return LeafKind::list;
     switch (object.kind) {
-        case ShapeKind::sphere:
-            return LeafKind::spheres;
-        case ShapeKind::cone:
-            return LeafKind::cones;
+        case ShapeKind::sphere: return LeafKind::spheres;
+        case ShapeKind::cone: return LeafKind::cones;
         case ShapeKind::triangle:
         case ShapeKind::smooth_triangle:
-        case ShapeKind::mesh:
-            return LeafKind::triangles;
-        default:
-            return LeafKind::list;
+        case ShapeKind::mesh: return LeafKind::triangles;
+        default: return LeafKind::list;
     }
 }
 
@@ -214,8 +210,8 @@ public:
         return static_cast<unsigned>(_mm256_movemask_ps(all)) & ((1u << block.count) - 1);
     }
 
-    /// Balls first; of those that are met, the ones whose axis the ray passes by no farther than the radius: the distance
-    /// of two lines is the part of what is between them along their common normal.
+    /// Balls first; of those that are met, the ones whose axis the ray passes by no farther than the radius: the
+    /// distance of two lines is the part of what is between them along their common normal.
     unsigned may_meet(const ConeBlock& block, float far) const {
         const unsigned balls = may_meet(block.around, far);
         if (balls == 0) return 0;
@@ -234,7 +230,8 @@ public:
             axis2 = _mm256_fmadd_ps(axis[a], axis[a], axis2);
         }
         // The parts of the product are as large as the reach and the axis: some ten roundings of those.
-        const __m256 size = _mm256_mul_ps(_mm256_set1_ps(0x1p-18f * (block.around.reach + reach_)), _mm256_sqrt_ps(axis2));
+        const __m256 size =
+            _mm256_mul_ps(_mm256_set1_ps(0x1p-18f * (block.around.reach + reach_)), _mm256_sqrt_ps(axis2));
         const __m256 most = _mm256_fmadd_ps(_mm256_load_ps(block.radius), _mm256_sqrt_ps(normal2), size);
         const __m256 distance = _mm256_andnot_ps(_mm256_set1_ps(-0.0f), along_normal);
         return balls & static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(distance, most, _CMP_NGT_UQ)));

@@ -28,8 +28,8 @@ struct Tree {
     };
 
     Node root;
-    std::vector<Family> families;
-    std::vector<std::uint32_t> items;
+    LargeVector<Family> families;
+    LargeVector<std::uint32_t> items;
 
     Node& at(Place place) { return place.family == kRoot ? root : families[place.family].children[place.octant]; }
 

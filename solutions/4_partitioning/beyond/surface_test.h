@@ -21,16 +21,13 @@ public:
         const bool moved = object.transform != kNone;
         const Vec3 center = Real(0.5) * (cell.min + cell.max), half = Real(0.5) * (cell.max - cell.min) + slack_;
         switch (object.kind) {
-            case ShapeKind::sphere:
-                return moved || reaches(scene.spheres[object.shape], center, half);
-            case ShapeKind::triangle:
-                return moved || reaches(scene.triangles[object.shape], center, half, thorough);
+            case ShapeKind::sphere: return moved || reaches(scene.spheres[object.shape], center, half);
+            case ShapeKind::triangle: return moved || reaches(scene.triangles[object.shape], center, half, thorough);
             case ShapeKind::smooth_triangle:
                 return moved || reaches(scene.smooth_triangles[object.shape].triangle, center, half, thorough);
             case ShapeKind::mesh:
                 return moved || reaches(face(scene.meshes[object.shape], p.part), center, half, thorough);
-            default:
-                return true;
+            default: return true;
         }
     }
 

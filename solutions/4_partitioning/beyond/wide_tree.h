@@ -17,6 +17,7 @@
 #include "4_partitioning/beyond/float_box.h"
 #include "4_partitioning/beyond/leaf_blocks.h"
 #include "4_partitioning/primitive_tester.h"
+#include "core/large_pages.h"
 
 namespace rays::wide {
 
@@ -57,11 +58,11 @@ struct alignas(64) Node : Boxes {
 };
 
 struct Tree {
-    std::vector<Node> nodes;
+    LargeVector<Node> nodes;
     std::vector<std::uint32_t> lists;  ///< leaf by leaf: how many, and then the primitives
-    std::vector<TriangleBlock> triangles;
-    std::vector<SphereBlock> spheres;
-    std::vector<ConeBlock> cones;
+    LargeVector<TriangleBlock> triangles;
+    LargeVector<SphereBlock> spheres;
+    LargeVector<ConeBlock> cones;
 };
 
 /// What goes into the tree.
@@ -76,10 +77,7 @@ class Builder {
 public:
     /// At most `most_in_block` triangles, spheres or cones go into a leaf, up to kWidth.
     Builder(const PrimitiveTester& tester, std::vector<Item> items, std::uint32_t most_in_block)
-        : tester_(tester),
-          items_(std::move(items)),
-          nodes_(2 * items_.size()),
-          most_in_block_(most_in_block) {
+        : tester_(tester), items_(std::move(items)), nodes_(2 * items_.size()), most_in_block_(most_in_block) {
         if (!items_.empty()) split(0, 0, static_cast<std::uint32_t>(items_.size()), 0);
     }
 
@@ -104,8 +102,8 @@ private:
         FloatBox box;
         std::uint32_t begin = 0, end = 0;  ///< of a leaf
         std::uint32_t right = 0;           ///< of an inner node, whose left one comes after it; 0: a leaf
-        /// Of an inner node that may become up to k children of a wide one: how many of them come from its left side, at
-        /// k - 1; 0 where it is best a child itself.
+        /// Of an inner node that may become up to k children of a wide one: how many of them come from its left side,
+        /// at k - 1; 0 where it is best a child itself.
         std::array<std::uint8_t, kWidth> from_left{1, 1, 1, 1, 1, 1, 1, 1};
     };
     struct Bin {
@@ -123,7 +121,9 @@ private:
     static constexpr std::uint32_t kParallelFrom = 8192;  ///< below, a thread costs more than it saves
 
     /// Of asking a primitive, where opening a pair of boxes is 1; measured (NOTES.md).
-    static constexpr float cost_of(LeafKind kind) { return kind == LeafKind::list ? 1.0f : kind == LeafKind::cones ? 0.5f : 0.3f; }
+    static constexpr float cost_of(LeafKind kind) {
+        return kind == LeafKind::list ? 1.0f : kind == LeafKind::cones ? 0.5f : 0.3f;
+    }
     std::uint32_t most_in_leaf(LeafKind kind) const { return kind == LeafKind::list ? 2 : most_in_block_; }
 
     // A subtree of n items needs at most 2 n - 1 nodes, so the place of each follows from where its items begin:
@@ -204,8 +204,8 @@ private:
 
     bool is_leaf(std::uint32_t index) const { return nodes_[index].right == 0; }
 
-    /// What a subtree costs at least when it becomes up to 1, 2, .. kWidth - 1 children of a wide node: the areas of the
-    /// wide nodes and leaves that it consists of.
+    /// What a subtree costs at least when it becomes up to 1, 2, .. kWidth - 1 children of a wide node: the areas of
+    /// the wide nodes and leaves that it consists of.
     using Costs = std::array<float, kWidth - 1>;
 
     Costs plan(std::uint32_t index) {
@@ -259,8 +259,8 @@ private:
             tree.nodes[index].set(static_cast<std::size_t>(i), box);
             if (i >= children.count) continue;
             const BinaryNode& node = nodes_[children.of[i]];
-            const Child child = is_leaf(children.of[i]) ? leaf(node, tree)
-                                                        : Child(Child::Kind::node, collapse(children.of[i], tree));
+            const Child child =
+                is_leaf(children.of[i]) ? leaf(node, tree) : Child(Child::Kind::node, collapse(children.of[i], tree));
             tree.nodes[index].child[i] = child;
         }
         return index;
@@ -270,14 +270,10 @@ private:
         LeafKind kind = items_[leaf.begin].kind;
         for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) kind = *together(kind, items_[k].kind);
         switch (kind) {
-            case LeafKind::triangles:
-                return {Child::Kind::triangles, add_block(tree.triangles, leaf)};
-            case LeafKind::spheres:
-                return {Child::Kind::spheres, add_block(tree.spheres, leaf)};
-            case LeafKind::cones:
-                return {Child::Kind::cones, add_block(tree.cones, leaf)};
-            case LeafKind::list:
-                break;
+            case LeafKind::triangles: return {Child::Kind::triangles, add_block(tree.triangles, leaf)};
+            case LeafKind::spheres: return {Child::Kind::spheres, add_block(tree.spheres, leaf)};
+            case LeafKind::cones: return {Child::Kind::cones, add_block(tree.cones, leaf)};
+            case LeafKind::list: break;
         }
         const Child child(Child::Kind::list, tree.lists.size());
         tree.lists.push_back(leaf.end - leaf.begin);
@@ -286,7 +282,7 @@ private:
     }
 
     template <class Block>
-    std::size_t add_block(std::vector<Block>& blocks, const BinaryNode& leaf) const {
+    std::size_t add_block(LargeVector<Block>& blocks, const BinaryNode& leaf) const {
         Block& block = blocks.emplace_back();
         for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
             const std::uint32_t primitive = items_[k].primitive;

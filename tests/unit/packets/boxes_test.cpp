@@ -37,7 +37,7 @@ public:
         Vec3 point;
         const int side = static_cast<int>(number(0, 3));
         for (int a = 0; a < 3; ++a) {
-            const double lo = node.lo[a][box], hi = node.hi[a][box];
+            const double lo = node.lo(a)[box], hi = node.hi(a)[box];
             point[a] = a == side || coin() ? (coin() ? lo : hi) : number(lo, hi);
         }
         return point;
@@ -101,9 +101,9 @@ TYPED_TEST(BoxesSee, EverybodyWhoMeetsThem) {
 bool misses(const Ray& ray, const wide::Node& node, unsigned box) {
     double enter = 1e-3, leave = 1e7;
     for (int a = 0; a < 3; ++a) {
-        const double margin = 1e-3 * (std::abs(ray.origin[a]) + std::abs(node.lo[a][box]) + std::abs(node.hi[a][box]));
-        const double lo = (node.lo[a][box] - margin - ray.origin[a]) / ray.direction[a];
-        const double hi = (node.hi[a][box] + margin - ray.origin[a]) / ray.direction[a];
+        const double margin = 1e-3 * (std::abs(ray.origin[a]) + std::abs(node.lo(a)[box]) + std::abs(node.hi(a)[box]));
+        const double lo = (node.lo(a)[box] - margin - ray.origin[a]) / ray.direction[a];
+        const double hi = (node.hi(a)[box] + margin - ray.origin[a]) / ray.direction[a];
         if (std::isnan(lo) || std::isnan(hi)) continue;
         enter = std::max(enter, std::min(lo, hi));
         leave = std::min(leave, std::max(lo, hi));
