@@ -58,7 +58,7 @@ public:
 
 private:
     /// Fewer rays are faster one by one; measured (NOTES.md).
-    static constexpr int kFewestTogether = 4;
+    static constexpr int kFewestTogether = 6;
     static constexpr int kFewestBelow = 3;  ///< where a part of the hierarchy is concerned
 
     class Asked;
