@@ -66,7 +66,7 @@ TEST(PacketObstacles, SayWhichRaysAreBlockedAndWhichMeetSomethingClear) {
     const PrimitiveTester tester(scene);
     HardPackets source(scene, 4);
     int blocked = 0, blocked_beside_clear = 0, clear = 0, none = 0, asked_alone = 0;
-    for (int n = 0; n < 1500; ++n) {
+    for (int n = 0; n < 6000; ++n) {
         const Packet p = source.next();
         const Obstacles got = together_intersector.obstacles(together(p.rays), Mask::of(p.active), p.span());
         ASSERT_EQ((got.opaque | got.clear).bits() & ~p.active, 0u);
