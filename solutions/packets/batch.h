@@ -31,14 +31,16 @@ struct Numbers {
     const Number* end() const { return of + count; }
 };
 
-/// Takes those out of the list whose property is that of the first.
+/// Moves those out of the list whose property is that of the first.
 template <class Property>
-Numbers take_alike(Numbers& numbers, const Property& property) {
-    Numbers alike, others;
+void take_alike(Numbers& numbers, Numbers& alike, const Property& property) {
     const auto first = property(numbers.of[0]);
-    for (const Number n : numbers) (property(n) == first ? alike : others).add(n);
-    numbers = others;
-    return alike;
+    const int count = numbers.count;
+    numbers.count = alike.count = 0;
+    for (int i = 0; i < count; ++i) {  // the list never grows beyond what has been read of it
+        const Number n = numbers.of[i];
+        (property(n) == first ? alike : numbers).add(n);
+    }
 }
 
 /// Up to eight rays of a batch, as lanes see them.

@@ -6,16 +6,6 @@
 #include "packets/tracer.h"
 
 namespace rays::packets {
-namespace {
-
-/// Calls what(parents, brought) for the rays of a frame, eight by eight: where they come from, and what they bring.
-template <class NextFrame, class What>
-void each_child(const NextFrame& next, const What& what) {
-    for (int first = 0; first < next.batch.count; first += kLanes)
-        what(Chunk(next.batch.parent, first, next.batch.count), next.brought.load(first));
-}
-
-}  // namespace
 
 /// Which rays are mirrored, which go through, and how much of them: tasks 3.9 to 3.11.
 void Tracer::divide(Frame& f, const Chunk& chunk, const Material& material, const Surfaces& at) {
@@ -80,21 +70,24 @@ void Tracer::branch(const Frame& from, const Chunk& chunk, unsigned rays, const 
     batch.add(from.batch, chunk, rays & ~too_little, {from.point.load(chunk), directions}, weight);
 }
 
+// A tree may be a thousand levels deep: what has registers full of lanes on the stack stays out of the functions that
+// wait for the next level.
+
 /// What comes through: each medium on its own, for what is behind follows from it. Where nothing can be refracted, the
 /// mirror ray takes its place.
 void Tracer::go_through(std::size_t depth) {
     Frame &f = frame(depth), &next = frame(depth + 1);
-    Numbers total_reflection;
-    for (Numbers rest = f.clear; rest.count > 0;) {
-        const Medium crossed = medium(f, rest.of[0]);
-        go_through(depth, take_alike(rest, [&](Number n) { return medium(f, n); }), crossed, total_reflection);
+    f.total_reflection.count = 0;
+    while (f.clear.count > 0) {
+        const Medium crossed = medium(f, f.clear.of[0]);
+        take_alike(f.clear, f.alike, [&](Number n) { return medium(f, n); });
+        send_through(f, crossed, next);
+        trace(depth + 1);
+        if (const Interior* fades = fading(f, crossed)) fade(*fades, f, next);
+        bring_home(f, next, &f.tint);
     }
-    if (total_reflection.count == 0) return;
-    start(next, f, f.batch.inside, false);
-    each_chunk(total_reflection, [&](const Chunk& chunk) {
-        branch(f, chunk, chunk.lanes, reflected(f.batch.direction.load(chunk), f.normal.load(chunk)),
-               chunk.load(f.batch.weight) * largest(f.tint.load(chunk)), next);
-    });
+    if (f.total_reflection.count == 0) return;
+    send_mirrored(f, f.total_reflection, next);
     trace(depth + 1);
     for (int c = 0; c < next.batch.count; ++c) {
         const Number n = next.batch.parent[c];
@@ -103,35 +96,48 @@ void Tracer::go_through(std::size_t depth) {
             for (int k = 0; k < 3; ++k) next.brought.of[k][c] *= left[k];
         }
     }
-    each_child(next, [&](const Chunk& parents, const Radiances& brought) {
-        f.brought.store(parents, parents.lanes, f.brought.load(parents) + brought);
-    });
-    const Numbers before = f.mirrors;
-    f.mirrors.count = 0;
-    for (const Number n : before)
-        if (std::find(total_reflection.begin(), total_reflection.end(), n) == total_reflection.end()) f.mirrors.add(n);
+    bring_home(f, next, nullptr);
+    const Numbers& all = f.total_reflection;
+    const auto is_total = [&](Number n) { return std::find(all.begin(), all.end(), n) != all.end(); };
+    f.mirrors.count =
+        static_cast<int>(std::remove_if(f.mirrors.of, f.mirrors.of + f.mirrors.count, is_total) - f.mirrors.of);
 }
 
-void Tracer::go_through(std::size_t depth, const Numbers& rays, Medium medium, Numbers& total_reflection) {
-    Frame &f = frame(depth), &next = frame(depth + 1);
+/// Rays that are `alike`, into the medium or out of it. Those that cannot are listed, with the weight of their mirror
+/// ray.
+[[gnu::noinline]] void Tracer::send_through(Frame& f, Medium medium, Frame& next) {
     Inside beyond = f.batch.inside;
     const Real relative_ior = cross_border(scene_, beyond, medium);
     const bool straight = std::abs(relative_ior - 1) < Real(1e-10);
     start(next, f, beyond, straight);
-    each_chunk(rays, [&](const Chunk& chunk) {
+    each_chunk(f.alike, [&](const Chunk& chunk) {
         const Vec3s d = f.batch.direction.load(chunk);
         const Refracted bent =
             straight ? Refracted{Mask::of(kAllLanes), d} : refracted(d, f.normal.load(chunk), relative_ior);
-        const unsigned passes = bent.are.bits();
-        branch(f, chunk, chunk.lanes & passes, bent.direction, chunk.load(f.batch.weight) * largest(f.tint.load(chunk)),
-               next);
-        total_reflection.add(chunk.of, chunk.lanes & ~passes);
+        const unsigned passes = bent.are.bits() & chunk.lanes, reflected = chunk.lanes & ~passes;
+        const Floats weight = chunk.load(f.batch.weight) * largest(f.tint.load(chunk));
+        branch(f, chunk, passes, bent.direction, weight, next);
+        chunk.store(f.mirror_weight, reflected, weight);
+        f.total_reflection.add(chunk.of, reflected);
     });
-    trace(depth + 1);
-    if (const Interior* fades = fading(f, medium)) fade(*fades, f, next);
-    each_child(next, [&](const Chunk& parents, const Radiances& brought) {
-        f.brought.store(parents, parents.lanes, f.brought.load(parents) + f.tint.load(parents) * brought);
+}
+
+[[gnu::noinline]] void Tracer::send_mirrored(const Frame& f, const Numbers& rays, Frame& next) {
+    start(next, f, f.batch.inside, false);
+    each_chunk(rays, [&](const Chunk& chunk) {
+        branch(f, chunk, chunk.lanes, reflected(f.batch.direction.load(chunk), f.normal.load(chunk)),
+               chunk.load(f.mirror_weight), next);
     });
+}
+
+/// Adds what the rays of `next` bring, or their share of it, to what those bring that they come from.
+[[gnu::noinline]] void Tracer::bring_home(Frame& f, const Frame& next, const LightColumns* share) const {
+    for (int first = 0; first < next.batch.count; first += kLanes) {
+        const Chunk parents(next.batch.parent, first, next.batch.count);
+        const Radiances brought = next.brought.load(first);
+        f.brought.store(parents, parents.lanes,
+                        f.brought.load(parents) + (share ? share->load(parents) * brought : brought));
+    }
 }
 
 /// What takes light on the way to hits that border on `medium`, if that is what the way led through: task 3.6.
@@ -142,7 +148,7 @@ const Interior* Tracer::fading(const Frame& f, Medium medium) const {
 }
 
 /// Takes that from what the rays of `next` bring.
-void Tracer::fade(const Interior& interior, const Frame& f, Frame& next) const {
+[[gnu::noinline]] void Tracer::fade(const Interior& interior, const Frame& f, Frame& next) const {
     for (int first = 0; first < next.batch.count; first += kLanes) {
         Spread distances;
         for (int i = 0; i < kLanes; ++i)
@@ -153,16 +159,10 @@ void Tracer::fade(const Interior& interior, const Frame& f, Frame& next) const {
 
 void Tracer::mirror(std::size_t depth) {
     Frame &f = frame(depth), &next = frame(depth + 1);
-    start(next, f, f.batch.inside, false);
-    each_chunk(f.mirrors, [&](const Chunk& chunk) {
-        branch(f, chunk, chunk.lanes, reflected(f.batch.direction.load(chunk), f.normal.load(chunk)),
-               chunk.load(f.mirror_weight), next);
-    });
+    send_mirrored(f, f.mirrors, next);
     if (next.batch.count > 0) trace(depth + 1);
     if (has_exponents_) raise(f, next);
-    each_child(next, [&](const Chunk& parents, const Radiances& brought) {
-        f.brought.store(parents, parents.lanes, f.brought.load(parents) + f.share.load(parents) * brought);
-    });
+    bring_home(f, next, &f.share);
 }
 
 /// What mirrors with an exponent make of what the rays of `next` bring.

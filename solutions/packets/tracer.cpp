@@ -127,7 +127,11 @@ void Tracer::trace(std::size_t depth) {
     Frame& f = frame(depth);
     if (f.batch.count < kFewest) return trace_single(f);
     f.mirrors.count = f.clear.count = 0;
-    for (Numbers hits = meet(f); hits.count > 0;) light(f, take_alike(hits, [&](Number n) { return f.material[n]; }));
+    meet(f);
+    while (f.hits.count > 0) {
+        take_alike(f.hits, f.alike, [&](Number n) { return f.material[n]; });
+        light(f, f.alike);
+    }
     if (f.clear.count > 0) go_through(depth);
     if (f.mirrors.count > 0) mirror(depth);
 }
@@ -181,9 +185,10 @@ void Tracer::tilt(const Frame& f, const Chunk& chunk, Surfaces& at) const {
     at.normal = {Reals::load(tilted[0].lane), Reals::load(tilted[1].lane), Reals::load(tilted[2].lane)};
 }
 
-/// Finds what the rays meet. The others bring the background. Returns the numbers of those that meet something.
-Numbers Tracer::meet(Frame& f) const {
-    Numbers met;
+/// Finds what the rays meet. The others bring the background.
+void Tracer::meet(Frame& f) const {
+    Numbers& met = f.hits;
+    met.count = 0;
     const Radiances background(scene_.background);
     const auto meet_chunk = [&](const Chunk& chunk) {
         const Hits hits =
@@ -216,7 +221,6 @@ Numbers Tracer::meet(Frame& f) const {
             meet_chunk(Chunk(kInOrder.data(), first, f.batch.count));
     else
         each_chunk_by_way(f.batch.direction, f.batch.count, meet_chunk);
-    return met;
 }
 
 /// Direct light of hits on the same material, and what becomes of their rays.

@@ -39,10 +39,13 @@ private:
         VectorColumns point, normal;  ///< the normal is turned to the viewer once the surface is lit
         std::uint32_t object[Block::kMost], material[Block::kMost];
 
-        Numbers mirrors;  ///< rays that are mirrored, with their share of it and the weight of what they bring
+        Numbers hits, alike;  ///< rays that met something and are still to be lit; those in hand. Not on the stack: a
+                              ///< tree may be a thousand levels deep
+        Numbers mirrors;      ///< rays that are mirrored, with their share of it and the weight of what they bring
         LightColumns share;
         float mirror_weight[Block::kMost];
-        Numbers clear;  ///< rays that go through
+        Numbers clear;             ///< rays that go through
+        Numbers total_reflection;  ///< those of them that cannot
         LightColumns tint;
     };
 
@@ -55,13 +58,15 @@ private:
     void trace_single(Frame& frame);
     void see_as(Number sample);
     void tilt(const Frame& frame, const Chunk& chunk, Surfaces& at) const;
-    Numbers meet(Frame& frame) const;
+    void meet(Frame& frame) const;
     void light(Frame& frame, const Numbers& hits);
     void divide(Frame& frame, const Chunk& chunk, const Material& material, const Surfaces& at);
     void prune(const Frame& frame, const Chunk& chunk, unsigned rays, Floats weight);
     void go_through(std::size_t depth);
-    void go_through(std::size_t depth, const Numbers& rays, Medium medium, Numbers& total_reflection);
+    void send_through(Frame& frame, Medium medium, Frame& next);
     void mirror(std::size_t depth);
+    void send_mirrored(const Frame& frame, const Numbers& rays, Frame& next);
+    void bring_home(Frame& frame, const Frame& next, const LightColumns* share) const;
 
     /// Adds rays to `next` that start where those of the chunk met something, but for those that are pruned: task 3.8.
     void branch(const Frame& from, const Chunk& chunk, unsigned rays, const Vec3s& directions, Floats weight,
