@@ -1,126 +1,19 @@
 #include "packets/intersector.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <optional>
 #include <type_traits>
 
 #include "2_phong/phong.h"
-#include "4_partitioning/beyond/single_walk.h"
+#include "packets/asked.h"
 #include "packets/beam.h"
+#include "packets/lone.h"
 #include "packets/spray.h"
 
 namespace rays::packets {
 
 using wide::Child;
 using Way = PrimitiveTester::Way;
-
-/// What primitives are asked about.
-class PacketIntersector::Asked {
-public:
-    /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
-    Asked(const Rays& rays_, const Span& span_, Mask lanes, int longest_axis, const Mask& open, const Reals& nearest)
-        : rays(rays_), active(lanes), span(span_), open_(open), nearest_(nearest), longest_axis_(longest_axis) {}
-
-    /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
-    /// of the primitive decides.
-    Span narrow_span() const {
-        const Reals just_above = nearest_ * Reals(1 + std::numeric_limits<Real>::epsilon());
-        return {span.near, select(open_, min(span.far, just_above), Reals(-kInfinity)), span.any};
-    }
-
-    const ShearedRays& sheared() const {
-        if (!sheared_) sheared_.emplace(rays, longest_axis_);
-        return *sheared_;
-    }
-    Interval range(int i) const { return {Spread(span.near)[i], Spread(span.far)[i]}; }
-    const SpreadRays& single() const {
-        if (!single_) single_.emplace(rays);
-        return *single_;
-    }
-
-    const Rays& rays;
-    const Mask active;
-    const Span span;
-
-private:
-    const Mask& open_;
-    const Reals& nearest_;
-    int longest_axis_;
-    mutable std::optional<ShearedRays> sheared_;
-    mutable std::optional<SpreadRays> single_;
-};
-
-/// In one lane.
-static Roots roots_of(const Candidate& best, int lane) {
-    return {Mask::of(1u << lane), Reals(best.root.t), Reals(best.root.uv.x), Reals(best.root.uv.y),
-            Reals(static_cast<double>(best.root.part))};
-}
-
-/// Rays of a packet that go through parts of the hierarchy one by one. Its functions stay out of line: inlined, they
-/// take registers from the walk of those that go together, 1.1 of the time.
-class PacketIntersector::Lone {
-public:
-    Lone(const wide::Hierarchy& hierarchy, const Asked& asked) : hierarchy_(hierarchy), asked_(asked) {}
-
-    /// Which of the rays meet something in this part that casts a shadow; `suspect` becomes what.
-    [[gnu::noinline]] unsigned blocked_below(Child part, unsigned rays, std::uint32_t& suspect) {
-        unsigned blocked = 0;
-        each_lane(rays, [&](int i) {
-            auto& [ray, walk] = lane(i);
-            const bool is_blocked = walk.template below<false>(part, [&](std::uint32_t primitive) {
-                if (!hierarchy_.tester.blocks(primitive, ray, asked_.range(i))) return false;
-                suspect = primitive;
-                return true;
-            });
-            if (is_blocked) blocked |= 1u << i;
-        });
-        return blocked;
-    }
-
-    /// True when one of the rays found something nearer.
-    [[gnu::noinline]] bool keep_nearer_below(Child part, unsigned rays, Found& found) {
-        bool nearer = false;
-        each_lane(rays, [&](int i) {
-            auto& [ray, walk] = lane(i);
-            Candidate best;
-            if (found.is().bits() >> i & 1) {
-                best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
-                walk.shorten(best.root.t);
-            }
-            const std::uint32_t before = best.primitive;
-            walk.template below<true>(part, [&](std::uint32_t primitive) {
-                const std::uint32_t previous = best.primitive;
-                hierarchy_.tester.keep_nearer(primitive, ray, asked_.range(i), best);
-                if (best.primitive != previous) walk.shorten(best.root.t);
-                return false;
-            });
-            if (best.primitive != before)
-                nearer |= found.keep_nearer(packets::roots_of(best, i), Mask::of(1u << i), best.primitive);
-        });
-        return nearer;
-    }
-
-private:
-    struct Lane {
-        Lane(const wide::Tree& tree, const Ray& r, Interval range) : ray(r), walk(tree, ray, range) {}
-        const Ray ray;
-        wide::SingleWalk walk;
-    };
-    using Lanes = std::array<std::optional<Lane>, kLanes>;
-
-    Lane& lane(int i) {
-        if (!lanes_) lanes_.emplace();
-        auto& lane = (*lanes_)[static_cast<std::size_t>(i)];
-        if (!lane) lane.emplace(hierarchy_.tree, asked_.single()[i], asked_.range(i));
-        return *lane;
-    }
-
-    const wide::Hierarchy& hierarchy_;
-    const Asked& asked_;
-    std::optional<Lanes> lanes_;
-};
 
 PacketIntersector::PacketIntersector(const Scene& scene)
     : hierarchy_(wide::make_hierarchy(scene)), single_(wide::make_bvh(hierarchy_)) {
@@ -394,11 +287,9 @@ bool PacketIntersector::has_packet_test(std::uint32_t primitive) const {
     if (has_packet_test(primitive)) return found.keep_nearer(roots_of(primitive, asked), asked.active, primitive);
     bool changed = false;
     each_lane(asked.active.bits(), [&](int i) {
-        Candidate best;
-        if (found.is().bits() >> i & 1) best = {found.root(i), static_cast<std::uint32_t>(Spread(found.primitive)[i])};
+        Candidate best = candidate_of(found, i);
         tester.keep_nearer(primitive, asked.single()[i], asked.range(i), best);
-        if (best.primitive == primitive)
-            changed |= found.keep_nearer(packets::roots_of(best, i), asked.active, primitive);
+        if (best.primitive == primitive) changed |= found.keep_nearer(in_lane(best, i), asked.active, primitive);
     });
     return changed;
 }

@@ -35,6 +35,8 @@ private:
     std::vector<std::uint32_t> of_;
 };
 
+class Asked;
+
 /// Rays that go the same way walk the hierarchy together, others alone; among a few things, all rays together. The
 /// answers are those of single rays, bit by bit. Directions have unit length.
 class PacketIntersector {
@@ -61,7 +63,6 @@ private:
     static constexpr int kFewestTogether = 6;
     static constexpr int kFewestBelow = 3;  ///< where a part of the hierarchy is concerned
 
-    class Asked;
     std::uint32_t material_of(std::uint32_t primitive) const;
     bool has_packet_test(std::uint32_t primitive) const;
     template <class Together>
@@ -69,7 +70,6 @@ private:
     template <class WalkWith>
     void with_front(const Rays& rays, Mask lanes, const Directions::Way& way, const Span& span,
                     const WalkWith& walk_with) const;
-    class Lone;
     template <bool sorted, class Front, class Ask, class AskAlone>
     void walk(Front& front, const Ask& ask, const AskAlone& ask_alone) const;
     Roots roots_of(std::uint32_t primitive, const Asked& asked) const;

@@ -14,6 +14,13 @@ namespace rays::packets {
 inline constexpr int kLanes = 8;
 inline constexpr unsigned kAllLanes = (1u << kLanes) - 1;
 
+// As in C++, a comparison with a NaN is false, but for !=.
+inline Mask operator<(Reals a, Reals b) { return compared<_CMP_LT_OQ>(a, b); }
+inline Mask operator>(Reals a, Reals b) { return compared<_CMP_GT_OQ>(a, b); }
+inline Mask operator<=(Reals a, Reals b) { return compared<_CMP_LE_OQ>(a, b); }
+inline Mask operator>=(Reals a, Reals b) { return compared<_CMP_GE_OQ>(a, b); }
+inline Mask operator==(Reals a, Reals b) { return compared<_CMP_EQ_OQ>(a, b); }
+
 struct Vec3s {
     Reals x, y, z;
 

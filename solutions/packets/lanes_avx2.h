@@ -67,20 +67,12 @@ struct Reals {
         const __m256d sign = _mm256_set1_pd(-0.0);
         return {_mm256_xor_pd(lo, sign), _mm256_xor_pd(hi, sign)};
     }
-
-    // As in C++, a comparison with a NaN is false, but for !=.
-    friend Mask operator<(Reals a, Reals b) { return compared<_CMP_LT_OQ>(a, b); }
-    friend Mask operator>(Reals a, Reals b) { return compared<_CMP_GT_OQ>(a, b); }
-    friend Mask operator<=(Reals a, Reals b) { return compared<_CMP_LE_OQ>(a, b); }
-    friend Mask operator>=(Reals a, Reals b) { return compared<_CMP_GE_OQ>(a, b); }
-    friend Mask operator==(Reals a, Reals b) { return compared<_CMP_EQ_OQ>(a, b); }
-
-private:
-    template <int how>
-    static Mask compared(Reals a, Reals b) {
-        return {_mm256_cmp_pd(a.lo, b.lo, how), _mm256_cmp_pd(a.hi, b.hi, how)};
-    }
 };
+
+template <int how>
+Mask compared(Reals a, Reals b) {
+    return {_mm256_cmp_pd(a.lo, b.lo, how), _mm256_cmp_pd(a.hi, b.hi, how)};
+}
 
 inline Reals select(Mask where, Reals then, Reals otherwise) {
     return {_mm256_blendv_pd(otherwise.lo, then.lo, where.lo), _mm256_blendv_pd(otherwise.hi, then.hi, where.hi)};

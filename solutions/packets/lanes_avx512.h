@@ -52,20 +52,12 @@ struct Reals {
     friend Reals operator*(Reals a, Reals b) { return a.v * b.v; }
     friend Reals operator/(Reals a, Reals b) { return a.v / b.v; }
     Reals operator-() const { return _mm512_xor_pd(v, _mm512_set1_pd(-0.0)); }
-
-    // As in C++, a comparison with a NaN is false, but for !=.
-    friend Mask operator<(Reals a, Reals b) { return compared<_CMP_LT_OQ>(a, b); }
-    friend Mask operator>(Reals a, Reals b) { return compared<_CMP_GT_OQ>(a, b); }
-    friend Mask operator<=(Reals a, Reals b) { return compared<_CMP_LE_OQ>(a, b); }
-    friend Mask operator>=(Reals a, Reals b) { return compared<_CMP_GE_OQ>(a, b); }
-    friend Mask operator==(Reals a, Reals b) { return compared<_CMP_EQ_OQ>(a, b); }
-
-private:
-    template <int how>
-    static Mask compared(Reals a, Reals b) {
-        return {_mm512_cmp_pd_mask(a.v, b.v, how)};
-    }
 };
+
+template <int how>
+Mask compared(Reals a, Reals b) {
+    return {_mm512_cmp_pd_mask(a.v, b.v, how)};
+}
 
 inline Reals select(Mask where, Reals then, Reals otherwise) {
     return _mm512_mask_blend_pd(where.set, otherwise.v, then.v);
