@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/film.h"
+#include "core/exr_file.h"
 #include "references/manifest.h"
 #include "support/files.h"
 #include "support/sha256.h"

@@ -1,7 +1,7 @@
 // The picture: linear radiance, one value a pixel, rows from top to bottom.
 #pragma once
 
-#include <string>
+#include <algorithm>
 #include <vector>
 
 #include "core/camera.h"
@@ -27,8 +27,31 @@ private:
     LargeVector<Radiance> pixels_;
 };
 
-/// Writes the lanes that have a name, R, G and B as a rule, as 32-bit floats. The file appears whole or not at all.
-/// Throws InputError when it cannot be written.
-void write_exr(const Film& film, const std::string& path, const std::vector<std::string>& lanes = {"R", "G", "B"});
+/// Where a picture goes as it is finished. What lies in the cache is still at hand; a whole film has to be fetched
+/// back.
+class FilmLines {
+public:
+    virtual ~FilmLines() = default;
+    /// The picture's lines from `first` on, as wide as it is: each line once, in any order, from any thread. Does not
+    /// throw.
+    virtual void take(const Film& lines, int first) noexcept = 0;
+};
+
+/// A picture on disk that is being written. It appears whole or not at all.
+class PictureFile : public FilmLines {
+public:
+    /// All lines are there. Throws InputError when the file cannot be written.
+    virtual void finish() = 0;
+};
+
+/// A picture in memory.
+struct WholeFilm final : FilmLines {
+    explicit WholeFilm(Raster raster) : film(raster) {}
+    void take(const Film& lines, int first) noexcept override {
+        for (int y = 0; y < lines.raster().height; ++y)
+            std::copy_n(&lines.at(0, y), lines.raster().width, &film.at(0, first + y));
+    }
+    Film film;
+};
 
 }  // namespace rays

@@ -7,6 +7,7 @@
 
 #include "1_ray_casting/ray_casting.h"
 #include "4_partitioning/structures.h"
+#include "core/exr_file.h"
 #include "renderer/radiance.h"
 
 namespace rays {

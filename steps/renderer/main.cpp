@@ -144,9 +144,10 @@ int render_picture(Arguments& a) {
     seconds.read = watch.lap();
     if (isatty(STDERR_FILENO)) a.options.progress = show_progress;
     Residual residual;
-    const Film film = render(scene, a.options, &residual);
+    const auto picture = make_picture_file(a.output, a.options.raster);
+    render(scene, a.options, *picture, &residual);
     seconds.render = watch.lap();
-    write_picture(film, a.output);
+    picture->finish();
     seconds.write = watch.lap();
     if (!a.stats.empty()) write_stats(a.stats, seconds, residual);
     for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/exr_file.h"
 
 namespace rays {
 namespace {
@@ -68,16 +69,30 @@ private:
     pid_t child_ = -1;
 };
 
+/// Kept in memory to the end.
+class OtherFile final : public PictureFile {
+public:
+    OtherFile(std::string path, const Raster& raster) : path_(std::move(path)), whole_(raster) {}
+
+    void take(const Film& lines, int first) noexcept override { whole_.take(lines, first); }
+    void finish() override {
+        const auto [width, height] = whole_.film.raster();
+        const auto* pixels = reinterpret_cast<const char*>(whole_.film.at(0, 0).lane);
+        const std::size_t size = sizeof(Radiance) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        const std::string problem = Formats(path_, whole_.film.raster()).write(pixels, size);
+        if (!problem.empty()) throw InputError(path_ + ": cannot write the picture (" + problem + ")");
+    }
+
+private:
+    std::string path_;
+    WholeFilm whole_;
+};
+
 }  // namespace
 
-void write_picture(const Film& film, const std::string& path) {
-    if (std::filesystem::path(path).extension() == ".exr") return write_exr(film, path);
-    const Raster raster = film.raster();
-    const auto* pixels = reinterpret_cast<const char*>(film.at(0, 0).lane);
-    const std::size_t size =
-        sizeof(Radiance) * static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
-    const std::string problem = Formats(path, raster).write(pixels, size);
-    if (!problem.empty()) throw InputError(path + ": cannot write the picture (" + problem + ")");
+std::unique_ptr<PictureFile> make_picture_file(const std::string& path, const Raster& raster) {
+    if (std::filesystem::path(path).extension() == ".exr") return std::make_unique<ExrFile>(path, raster);
+    return std::make_unique<OtherFile>(path, raster);
 }
 
 }  // namespace rays

@@ -52,7 +52,7 @@ private:
     float weight_ = 1.0f / static_cast<float>(side_ * side_);
 };
 
-void render_row(World& world, const CameraMedia& media, const RenderOptions& options, int y, Film& film,
+void render_row(World& world, const CameraMedia& media, const RenderOptions& options, int y, Film& lines, int first,
                 Residuals& residuals) {
     const Grid grid(options.samples);
     for (int x = 0; x < options.raster.width; ++x) {
@@ -62,7 +62,7 @@ void render_row(World& world, const CameraMedia& media, const RenderOptions& opt
             const Ray ray = camera_ray(world.scene.camera, options.raster, x, y, offset);
             sum += radiance(world, ray, media.at(ray.origin));
         });
-        film.at(x, y) = take_unfinished_task() ? striped(grid.mean(sum), x, y) : grid.mean(sum);
+        lines.at(x, y - first) = take_unfinished_task() ? striped(grid.mean(sum), x, y) : grid.mean(sum);
         residuals.add(x, y, world.pruned / options.samples);
     }
 }
@@ -74,16 +74,17 @@ public:
     Radiance sum[Block::kMost];
     double pruned[Block::kMost] = {};
 
-    /// Moves the light, times `weight`, to the film: `is_whole`, or as far as the block is in the picture.
-    void move_light(const Block& block, float weight, Film& film) {
-        const Raster& raster = film.raster();
-        const bool is_whole = block.x + block.side <= raster.width && block.y + block.side <= raster.height;
+    /// Moves the light, times `weight`, to the lines that begin where the block does: all of it, or as far as the block
+    /// is in the picture.
+    void move_light(const Block& block, float weight, Film& lines) {
+        const Raster& raster = lines.raster();
+        const bool is_whole = block.x + block.side <= raster.width && block.side <= raster.height;
         for (int i = 0; i < block.size(); i += Block::kRun) {
-            const int x = block.column(i), y = block.row(i);
+            const int x = block.column(i), y = block.row(i) - block.y;
             if (!is_whole && y >= raster.height) continue;
             const int count = is_whole ? Block::kRun : std::clamp(raster.width - x, 0, Block::kRun);
             for (int k = 0; k < count; ++k)
-                for (int c = 0; c < 4; ++c) film.at(x + k, y)[c] = weight * sum[i + k][c];
+                for (int c = 0; c < 4; ++c) lines.at(x + k, y)[c] = weight * sum[i + k][c];
         }
         std::fill(sum, sum + block.size(), Radiance());
     }
@@ -99,14 +100,14 @@ public:
 
 /// A row of blocks from y downwards, as far as they are in the picture.
 void render_packets(PacketTracer& tracer, const Inside& media, const RenderOptions& options, int y, int side,
-                    Film& film, Residuals& residuals) {
+                    Film& lines, Residuals& residuals) {
     const Grid grid(options.samples);
     Gathered gathered;
     for (Block block{0, y, side}; block.x < options.raster.width; block.x += side) {
         grid.each([&](Vec2 offset) {
             tracer.add_radiance(options.raster, block, offset, media, gathered.sum, gathered.pruned);
         });
-        gathered.move_light(block, grid.weight(), film);
+        gathered.move_light(block, grid.weight(), lines);
         gathered.move_pruned(block, options.samples, residuals);
     }
 }
@@ -133,9 +134,10 @@ std::unique_ptr<Intersector> make_intersector(const Scene& scene, Partition part
 
 namespace {
 
+constexpr int kLinesTogether = 4;  ///< ray by ray: few, so that threads end together
+
 /// One sample in each pixel's centre, or a regular grid of them.
-Film render_regularly(const Scene& scene, const RenderOptions& options, Residual* residual) {
-    Film film(options.raster);
+void render_regularly(const Scene& scene, const RenderOptions& options, FilmLines& picture, Residual* residual) {
     // Packets take the place of the automatic choice only.
     const bool may_pack = options.packets && options.partition == Partition::automatic;
     const auto packets = may_pack ? make_packets(scene) : nullptr;
@@ -145,18 +147,22 @@ Film render_regularly(const Scene& scene, const RenderOptions& options, Residual
     // All rays of a packet must start in the same media.
     const auto everywhere = packets ? media.everywhere() : std::nullopt;
     Residuals residuals(options.raster.height);
-    const int rows = everywhere ? packets->block_side() : 1;
+    const int together = everywhere ? packets->block_side() : kLinesTogether;
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
         World world = prototype;
         const auto tracer = everywhere ? packets->tracer(world) : nullptr;
-        for (int y = next_row.fetch_add(rows); y < options.raster.height; y = next_row.fetch_add(rows)) {
+        Film lines({options.raster.width, together});
+        for (int y; (y = next_row.fetch_add(together)) < options.raster.height;) {
+            const int end = std::min(y + together, options.raster.height);
+            if (end - y < together) lines = Film({options.raster.width, end - y});
             if (tracer)
-                render_packets(*tracer, *everywhere, options, y, rows, film, residuals);
+                render_packets(*tracer, *everywhere, options, y, together, lines, residuals);
             else
-                render_row(world, media, options, y, film, residuals);
-            if (reports && options.progress)
-                options.progress(double(std::min(y + rows, options.raster.height)) / options.raster.height);
+                for (int row = y; row < end; ++row) render_row(world, media, options, row, lines, y, residuals);
+            develop(lines, scene.settings.gamma);
+            picture.take(lines, y);
+            if (reports && options.progress) options.progress(double(end) / options.raster.height);
         }
     };
     const int wanted = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -165,7 +171,6 @@ Film render_regularly(const Scene& scene, const RenderOptions& options, Residual
     work(true);
     helpers.clear();
     if (residual) *residual = residuals.over(options.raster), residual->samples = options.samples;
-    return film;
 }
 
 bool is_square(int n) {
@@ -180,11 +185,17 @@ bool is_distributed(const Scene& scene, const RenderOptions& options) {
            !is_square(options.samples);
 }
 
-Film render(const Scene& scene, const RenderOptions& options, Residual* residual) {
-    Film film = is_distributed(scene, options) ? render_distributed(scene, options, residual)
-                                               : render_regularly(scene, options, residual);
+void render(const Scene& scene, const RenderOptions& options, FilmLines& picture, Residual* residual) {
+    if (!is_distributed(scene, options)) return render_regularly(scene, options, picture, residual);
+    Film film = render_distributed(scene, options, residual);
     develop(film, scene.settings.gamma);
-    return film;
+    picture.take(film, 0);
+}
+
+Film render(const Scene& scene, const RenderOptions& options, Residual* residual) {
+    WholeFilm whole(options.raster);
+    render(scene, options, whole, residual);
+    return std::move(whole.film);
 }
 
 QueryLog explain(const Scene& scene, const RenderOptions& options, int column, int row) {

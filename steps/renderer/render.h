@@ -49,6 +49,7 @@ struct Residual {
 bool is_distributed(const Scene& scene, const RenderOptions& options);
 
 /// The same bytes for any number of threads. Pixels that needed an unfinished task are striped.
+void render(const Scene& scene, const RenderOptions& options, FilmLines& picture, Residual* residual = nullptr);
 Film render(const Scene& scene, const RenderOptions& options, Residual* residual = nullptr);
 
 /// Every ray asked for one pixel: of one sample at its centre, or of the first sample where the scene is distributed

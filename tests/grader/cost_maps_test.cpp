@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/film.h"
+#include "core/exr_file.h"
 #include "grader/picture.h"
 #include "tools.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "core/film.h"
+#include "core/exr_file.h"
 
 namespace rays::grader {
 

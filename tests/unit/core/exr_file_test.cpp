@@ -1,4 +1,4 @@
-#include "core/film.h"
+#include "core/exr_file.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,9 @@
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <thread>
 #include <utility>
 
 #include "core/error.h"
@@ -142,6 +145,47 @@ TEST_F(FilmFile, LargePicturesKeepEveryFloat) {
         for (int x = 0; x < 449; ++x)
             for (int c = 0; c < 3; ++c)
                 ASSERT_EQ(read[(std::size_t(y) * 449 + std::size_t(x)) * 3 + std::size_t(c)], film.at(x, y)[c]);
+}
+
+/// Some lines of a film, from `first` on.
+Film lines_of(const Film& film, int first, int count) {
+    Film lines({film.raster().width, count});
+    for (int y = 0; y < count; ++y)
+        for (int x = 0; x < film.raster().width; ++x) lines.at(x, y) = film.at(x, first + y);
+    return lines;
+}
+
+TEST_F(FilmFile, LinesMayComeInAnyOrderFromAnyThread) {
+    const Film film = large_film();
+    const auto whole = (folder_ / "whole.exr").string(), piecewise = (folder_ / "piecewise.exr").string();
+    write_exr(film, whole);
+    ExrFile file(piecewise, film.raster());
+    const auto send = [&](int from) {  // every second piece of seven lines, the last one first
+        for (int y = from; y >= 0; y -= 14) file.take(lines_of(film, y, std::min(7, film.raster().height - y)), y);
+    };
+    std::thread other([&] { send(434); });
+    send(427);
+    other.join();
+    EXPECT_FALSE(fs::exists(piecewise)) << "it appears when it is whole";
+    file.finish();
+    const auto bytes = [](const std::string& path) {
+        std::ifstream in(path, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    EXPECT_EQ(bytes(piecewise), bytes(whole));
+    EXPECT_FALSE(fs::exists(piecewise + ".partial"));
+}
+
+TEST_F(FilmFile, WhatIsNotFinishedLeavesNothingAndKeepsTheOldPicture) {
+    const auto path = (folder_ / "picture.exr").string();
+    write_exr(numbered_film(), path);
+    const auto size = fs::file_size(path);
+    {
+        ExrFile file(path, {449, 439});
+        file.take(lines_of(large_film(), 0, 5), 0);
+    }
+    EXPECT_EQ(fs::file_size(path), size);
+    EXPECT_FALSE(fs::exists(path + ".partial"));
 }
 
 /// A disk without room, for the name under which a picture is written first.
