@@ -2,6 +2,7 @@
 // them at the end (flatten.h). A placement is what was done to a thing so far; none: nothing was.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -16,7 +17,20 @@
 
 namespace rays::sdl {
 
-using Placement = std::optional<Affine>;
+/// Most things have none, or share the one of what they were copied from.
+class Placement {
+public:
+    Placement() = default;
+    Placement(const Affine& map) : map_(std::make_shared<const Affine>(map)) {}  // NOLINT: it is one
+
+    explicit operator bool() const { return map_ != nullptr; }
+    const Affine& operator*() const { return *map_; }
+    const Affine* operator->() const { return map_.get(); }
+    void reset() { map_.reset(); }
+
+private:
+    Shared<Affine> map_;
+};
 
 /// `placement`, and after it `more`.
 inline void place_further(Placement& placement, const Affine& more) {
