@@ -106,7 +106,8 @@ int octants_along(const Slabs& node, unsigned mirror, Span span, std::array<Octa
     Passage passage(axes(node.near), axes(node.far), span);
     int count = 0;
     do
-        octants[static_cast<std::size_t>(count++)] = {passage.octant(mirror), {vec3(passage.near()), vec3(passage.far())}};
+        octants[static_cast<std::size_t>(count++)] = {passage.octant(mirror),
+                                                      {vec3(passage.near()), vec3(passage.far())}};
     while (passage.go_on(span.exit));
     return count;
     //< 4.7
@@ -127,21 +128,24 @@ constexpr int kMostDeep = 20;
 /// Without this rule a thousand nested spheres fill the memory.
 constexpr Real kMostGrowth = 12;
 constexpr Real kNoBurden = 65536;  ///< as many entries are allowed to every scene
-/// A node with less than this part of all primitives is one thread's work; larger ones are split by all threads together.
+/// A node with less than this part of all primitives is one thread's work; larger ones are split by all threads
+/// together.
 constexpr std::size_t kShares = 32;
 constexpr std::size_t kWorthThreads = 4096;  ///< items to split together
 
 class Builder {
 public:
     Builder(const PrimitiveTester& tester, const Contents& contents)
-        : contents_(contents), surfaces_(tester, contents.slack),
+        : contents_(contents),
+          surfaces_(tester, contents.slack),
           most_growth_(std::max(kMostGrowth, kNoBurden / static_cast<Real>(contents.inside.size()))) {}
 
     /// The tree is the same for any number of threads.
     Tree build() {
         Tree tree;
         std::vector<Job> jobs;
-        grow(tree, {contents_.inside, contents_.box, 0, 1, {}}, contents_.inside.size() < kParallelFrom ? nullptr : &jobs);
+        grow(tree, {contents_.inside, contents_.box, 0, 1, {}},
+             contents_.inside.size() < kParallelFrom ? nullptr : &jobs);
         std::vector<Tree> subtrees(jobs.size());
         std::atomic<std::size_t> next = 0;
         in_parallel_parts(jobs.size(), 2, [&](std::size_t, std::size_t, std::size_t) {
@@ -164,7 +168,8 @@ private:
         Tree::Place place;
     };
 
-    /// With `jobs`, all threads split what is larger than a share, and the rest goes there; without, this one does it all.
+    /// With `jobs`, all threads split what is larger than a share, and the rest goes there; without, this one does it
+    /// all.
     void grow(Tree& tree, Job job, std::vector<Job>* jobs) const {
         if (jobs && job.items.size() <= contents_.inside.size() / kShares) {
             jobs->push_back(std::move(job));
@@ -266,7 +271,8 @@ private:
     }
 
     bool find_occluder(const Ray& ray, Interval range) const override {
-        return ask_leaves(ray, range, [&](std::uint32_t primitive, Real&) { return tester_.blocks(primitive, ray, range); });
+        return ask_leaves(ray, range,
+                          [&](std::uint32_t primitive, Real&) { return tester_.blocks(primitive, ray, range); });
     }
 
     /// Calls ask(primitive, far) until it says true; `far` is how far the ray still has to go.
@@ -324,7 +330,19 @@ private:
             node = tree_.families[family].children[passage.octant(seen.mirror)];
             near = passage.near();
             leave = passage.far();
-            if (!passage.go_on(far)) --size;
+            if (passage.go_on(far))
+                fetch(tree_.families[family].children[passage.octant(seen.mirror)]);  // while this one is asked
+            else
+                --size;
+        }
+    }
+
+    [[gnu::always_inline]] void fetch(const Node& node) const {
+        if (node.is_leaf()) {
+            const char* boxes = reinterpret_cast<const char*>(&boxes_[node.first / wide::kWidth]);
+            for (std::size_t i = 0; i < sizeof(wide::Boxes); i += 64) __builtin_prefetch(boxes + i);
+        } else {
+            __builtin_prefetch(&tree_.families[node.first]);
         }
     }
 
@@ -378,7 +396,7 @@ private:
     Real slack_ = 0;
     std::vector<std::uint32_t> outside_;  ///< asked by every ray
     Tree tree_;
-    LargeVector<wide::Boxes> boxes_;      ///< of the tree's items, eight by eight
+    LargeVector<wide::Boxes> boxes_;  ///< of the tree's items, eight by eight
 };
 
 }  // namespace

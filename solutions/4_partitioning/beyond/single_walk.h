@@ -52,13 +52,13 @@ private:
             if (effort) [[unlikely]]
                 ++effort->nodes;
             const Node& node = tree_.nodes[child.place()];
-            __builtin_prefetch(node.child);  // a cache line of its own, looked at only once the boxes are there
             alignas(32) float enters[kWidth];
             unsigned mask = box_ray_.meets(node, enters);
             if (mask == 0) return false;
             const auto next_child = [&] {
                 const int i = std::countr_zero(mask);
                 mask &= mask - 1;
+                tree_.fetch(node.child[i]);
                 return Waiting(enters[i], node.child[i].bits());
             };
             next = next_child();

@@ -63,6 +63,25 @@ struct Tree {
     LargeVector<TriangleBlock> triangles;
     LargeVector<SphereBlock> spheres;
     LargeVector<ConeBlock> cones;
+
+    /// Among millions, what a ray meets is waited for: asked for all at once, it comes side by side. In line, because
+    /// GCC drops calls of functions that do nothing but this.
+    [[gnu::always_inline]] void fetch(Child child) const {
+        switch (child.kind()) {
+            case Child::Kind::node: return fetch(nodes[child.place()]);
+            case Child::Kind::triangles: return fetch(triangles[child.place()]);
+            case Child::Kind::spheres: return fetch(spheres[child.place()]);
+            case Child::Kind::cones: return fetch(cones[child.place()]);
+            case Child::Kind::list: return;
+        }
+    }
+
+private:
+    template <class Lines>
+    [[gnu::always_inline]] static void fetch(const Lines& lines) {
+        for (std::size_t i = 0; i < sizeof lines; i += 64)
+            __builtin_prefetch(reinterpret_cast<const char*>(&lines) + i);
+    }
 };
 
 /// What goes into the tree.
