@@ -116,6 +116,8 @@ private:
     std::string object() {
         return shape() + maybe(4, fmt::format("scale <1, {}, 1> rotate {}", number(0.5, 2), vector(0, 90))) +
                maybe(6, fmt::format("clipped_by {{ sphere {{ {}, 1.2{} }} }}", vector(-1, 1), maybe(2, "inverse"))) +
+               maybe(6, fmt::format("clipped_by {{ plane {{ {}, {}{} }} }}", vector(-1, 1), number(-0.5, 1),
+                                    maybe(3, "inverse"))) +
                " " + texture() + " }\n";
     }
 

@@ -48,6 +48,15 @@ inline const std::vector<HardScene>& hard_scenes() {
          "<0,0,0>,<1,0,1>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,1>,<2,1,0>,<3,1,1>,\n"
          "<0,2,0>,<1,2,1>,<2,2,2>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,1> scale 0.3 }\n"
          "translate P } #end quadric { <1, 0, 1>, <0, 0, 0>, <0, 0, 0>, -0.05 } plane { <1, 2, 0.5>, -2 }\n"},
+        {"cut_open",
+         "#for (I, 1, 40) #local P = <rand(R), rand(R), rand(R)> * 6;\n"
+         "#local C = <rand(R) - 0.5, rand(R) - 0.5, rand(R) - 0.5>;\n"
+         "sphere { P, 1 clipped_by { plane { C, vdot(P, vnormalize(C)) + rand(R) - 0.5 } } }\n"
+         "cone { P, 0.8, P + <0, 1.5, 0.3>, 0.2 clipped_by { plane { C, vdot(P, vnormalize(C)) inverse } } }\n"
+         "torus { 0.8, 0.2 clipped_by { plane { C, 0.1 } plane { <C.z, 1, C.x>, 0.2 } } rotate 60 * I * C translate P "
+         "}\n"
+         "box { P, P + 1 clipped_by { plane { x, 0 rotate 90 * C translate P + 0.5 } plane { y, P.y + 0.7 } } }\n"
+         "sphere { P + 3, 0.3 clipped_by { plane { C, -20 } } } #end\n"},
         {"teapot_in_a_stadium",
          "plane { y, 0 } #for (I, 0, 35) cylinder { <3000, 0, 0>, <3000, 400, 0>, 50 rotate 10 * I * y } #end\n"
          "polygon { 5, <-5000, -1, -5000>, <5000, -1, -5000>, <5000, -1, 5000>, <-5000, -1, 5000>, <-5000, -1, -5000> "
