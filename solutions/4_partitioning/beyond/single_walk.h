@@ -30,7 +30,11 @@ public:
     bool below(Child from, const Ask& ask) {
         Stack stack;
         for (Waiting next(0, from.bits());;) {
-            if (descend<sorted>(next, stack) && ask_leaf(Child(next.what()), ask)) return true;
+            if (descend<sorted>(next, stack)) {
+                if (effort && effort->visited) [[unlikely]]
+                    watch(Child(next.what()));
+                if (ask_leaf(Child(next.what()), ask)) return true;
+            }
             do {
                 if (stack.size == 0) return false;
                 next = stack.waiting[--stack.size];
@@ -73,6 +77,17 @@ private:
             }
         }
         return true;
+    }
+
+    /// For pictures: leaves do not know their boxes, so all nodes are searched for who does.
+    void watch(Child leaf) const {
+        for (const Node& node : tree_.nodes)
+            for (int i = 0; i < kWidth; ++i) {
+                if (node.child[i].bits() != leaf.bits()) continue;
+                const auto corner = [i](const auto& planes) { return Vec3(planes(0)[i], planes(1)[i], planes(2)[i]); };
+                effort->visited->push_back(
+                    {corner([&](int a) { return node.lo(a); }), corner([&](int a) { return node.hi(a); })});
+            }
     }
 
     template <class Ask>

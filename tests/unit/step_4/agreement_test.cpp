@@ -101,6 +101,32 @@ TEST(ParallelBuilds, AreTheSameForAnyNumberOfThreads) {
     }
 }
 
+TEST(VisitedLeaves, LieOnTheRayAndHoldItsHit) {
+    const Scene scene = staged(hard_scenes()[3].text);  // spheres
+    const auto bvh = make_structure(scene, Partition::bvh);
+    HardRays rays(scene, 7);
+    int hits = 0, boxes = 0;
+    for (int i = 0; i < 500; ++i) {
+        std::vector<Bounds> leaves;
+        EffortCount count;
+        count.so_far().visited = &leaves;
+        const Ray ray = rays.through_the_box();
+        const auto hit = bvh->nearest(ray, {0, kInfinity});
+        bool holds = !hit || scene.objects[hit->object].kind == ShapeKind::plane;
+        for (const Bounds& leaf : leaves) {
+            const Bounds wider{leaf.min - Real(1e-4), leaf.max + Real(1e-4)};
+            const bool is_met = clip(ray, {0, kInfinity}, wider).has_value();
+            EXPECT_TRUE(is_met) << "ray " << i;
+            holds |= hit && wider.overlaps({hit->point, hit->point});
+            ++boxes;
+        }
+        EXPECT_TRUE(holds) << "ray " << i << ": its hit is in none of the leaves";
+        hits += hit.has_value();
+    }
+    EXPECT_GT(hits, 100);
+    EXPECT_GT(boxes, 500);
+}
+
 TEST(NoRays, AreMissesAtOnce) {
     const Scene scene = staged(hard_scenes()[3].text);
     const Real nan = std::nan(""), inf = kInfinity, huge = Real(1e300), tiny = Real(1e-300);
