@@ -66,7 +66,8 @@ private:
                 return Waiting(enters[i], node.child[i].bits());
             };
             next = next_child();
-            for (const int first = stack.size; mask != 0;) {
+            const int first = stack.size;
+            while (mask != 0) {
                 Waiting other = next_child();
                 if (sorted && other.enters() < next.enters()) std::swap(other, next);
                 int place = stack.size++;
