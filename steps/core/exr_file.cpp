@@ -127,8 +127,10 @@ void ExrFile::write(std::string_view bytes, std::uint64_t place) noexcept {
     for (std::size_t done = 0; done < bytes.size() && problem_ == 0;) {
         const auto written =
             ::pwrite(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(place + done));
-        if (written > 0) done += static_cast<std::size_t>(written);
-        if (written < 0 && errno != EINTR) problem_ = errno;
+        if (written > 0)
+            done += static_cast<std::size_t>(written);
+        else if (written == 0 || errno != EINTR)
+            problem_ = written == 0 ? EIO : errno;
     }
 }
 
