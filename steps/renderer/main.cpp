@@ -94,6 +94,7 @@ Scene stage(const Arguments& a) {
     if (!a.everything) {
         drop_what_is_not_needed(scene);
         drop_small_blur(scene, a.options.raster);
+        drop_faint_branches(scene);
     }
     prepare(scene);
     return scene;

@@ -278,6 +278,9 @@ std::string needs_to_text(const Scene& scene) {
     for (const Effect& effect : effects())
         (effect.needed(scene) ? needed : left_out) +=
             fmt::format("  step {}  {:<16} {}\n", effect.step, effect.name, effect.meaning);
+    if (const double faintest = faintest_weight(scene); faintest > scene.settings.adc_bailout)
+        left_out += fmt::format("  step 3  {:<16} of a weight below {:.2g}: they bring less than 2^-24\n", "branches",
+                                faintest);
     return needed + left_out;
 }
 
@@ -286,7 +289,9 @@ std::string needs_to_json(const Scene& scene) {
     for (const Effect& effect : effects())
         json += fmt::format(R"({}{{"name":"{}","step":{},"needed":{}}})", json.empty() ? "" : ",", effect.name,
                             effect.step, effect.needed(scene));
-    return fmt::format(R"({{"effects":[{}]}})", json) + "\n";
+    return fmt::format(R"({{"effects":[{}],"faintest_weight":{:.9g}}})", json,
+                       std::max(double(scene.settings.adc_bailout), faintest_weight(scene))) +
+           "\n";
 }
 
 }  // namespace rays

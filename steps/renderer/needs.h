@@ -37,6 +37,14 @@ void drop_what_is_not_needed(Scene& scene);
 /// point. The picture changes by less than that. Scenes that move keep both.
 void drop_small_blur(Scene& scene, Raster raster);
 
+/// The weight below which no branch of a ray tree can bring 2^-24, the finest step of a half float, to any pixel, as
+/// long as it meets no more surfaces than max_trace_level; 0 where none can be told. From the brightest that lights,
+/// surfaces and background can be; mirrors and glass that give more than they get make it smaller.
+double faintest_weight(const Scene& scene);
+
+/// Branches below that weight are not traced: adc_bailout becomes at least that. Scenes that move keep theirs.
+void drop_faint_branches(Scene& scene);
+
 std::string needs_to_text(const Scene& scene);
 std::string needs_to_json(const Scene& scene);
 
