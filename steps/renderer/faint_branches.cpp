@@ -37,6 +37,7 @@ struct Most {
     double sends = 0;      ///< by itself, unit: radiance
     double passes = 0;     ///< of the radiance that its mirror ray and the ray behind it bring
     double outweighs = 1;  ///< what a branch passes over what its weight says
+    double over_grey = 1;  ///< of a tint, its largest lane over its grey
 };
 
 /// Sum over the lights of what reaches a point, unit: radiance of a white surface. Fading doubles light at most.
@@ -76,7 +77,7 @@ Most most_of(const Scene& scene, const Finish& finish, const Color& color, doubl
         most.outweighs = std::max(most.outweighs, tint > 0 ? 1 / tint : kInfinity);
     }
     const bool grey = (color.filter == 0 || is_grey(color.rgb)) && is_grey(r.min) && is_grey(r.max) && r.metallic == 0;
-    if (clear > 0 && !grey) most.outweighs = std::max(most.outweighs, 1 / kLeastGrey);
+    if (clear > 0 && !grey) most.over_grey = 1 / kLeastGrey;
     return most;
 }
 
@@ -96,11 +97,12 @@ double faintest_weight(const Scene& scene) {
             of.sends = std::max(of.sends, most.sends);
             of.passes = std::max(of.passes, most.passes);
             of.outweighs = std::max(of.outweighs, most.outweighs);
+            of.over_grey = std::max(of.over_grey, most.over_grey);
         }
     }
     if (goes_on.passes == 0) return 0;  // nothing to leave out
     const double at_ends = std::max(largest(scene.background), ends.sends);
-    double brings = at_ends, outweighs = 1;
+    double brings = at_ends, outweighs = goes_on.over_grey;
     for (int level = 0; level < scene.settings.max_trace_level; ++level) {
         brings = std::max(at_ends, goes_on.sends + goes_on.passes * brings);
         outweighs *= goes_on.outweighs;

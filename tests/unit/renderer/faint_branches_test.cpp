@@ -65,6 +65,14 @@ TEST(FaintBranches, TotalReflectionOutweighsATint) {
     EXPECT_DOUBLE_EQ(weight(half + "1 } }"), kFinestStep);
 }
 
+TEST(FaintBranches, TheGreyOfATintMayBeMuchLessThanItsLargestLane) {
+    const auto clear = [](const char* color) {
+        return fmt::format("sphere {{ 0, 1 pigment {{ {} }} finish {{ ambient 0 diffuse 0 }} }}", color);
+    };
+    EXPECT_DOUBLE_EQ(weight(clear("rgbf <0.5, 0.5, 1, 1>")), 0.114 * kFinestStep);
+    EXPECT_DOUBLE_EQ(weight(clear("rgbf <0.5, 0.5, 0.5, 1>")), kFinestStep);
+}
+
 TEST(FaintBranches, NobodyKnowsWhatAContrastMakesOfLittle) {
     EXPECT_EQ(weight("sphere { 0, 1 finish { reflection 0.5 reflection_exponent 2 } }"), 0);
 }
