@@ -63,6 +63,17 @@ TEST(FaintBranches, TotalReflectionOutweighsATint) {
     const std::string half = "sphere { 0, 1 pigment { rgbt 0.5 } finish { ambient 0 diffuse 0 } interior { ior ";
     EXPECT_DOUBLE_EQ(weight(half + "1.5 } }"), kFinestStep / 16);
     EXPECT_DOUBLE_EQ(weight(half + "1 } }"), kFinestStep);
+    // And it passes all: a highlight of 1 may be added on each level.
+    EXPECT_DOUBLE_EQ(
+        weight("light_source { 9, rgb 1 } sphere { 0, 1 pigment { rgbt 0.5 } finish { ambient 0 diffuse 0 phong "
+               "1 } interior { ior 1.5 } }"),
+        kFinestStep / (16 * (1 + 4)));
+}
+
+TEST(FaintBranches, ABrightMetalOutweighsItsWeight) {
+    EXPECT_DOUBLE_EQ(
+        weight("sphere { 0, 1 pigment { rgb 2 } finish { ambient 0 diffuse 0 reflection { 0.5 metallic } } }"),
+        kFinestStep / 16);
 }
 
 TEST(FaintBranches, TheGreyOfATintMayBeMuchLessThanItsLargestLane) {
