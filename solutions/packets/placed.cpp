@@ -97,7 +97,7 @@ Mask inside(const Scene& scene, const Object& object, const Vec3s& points) {
     return object.inverse ? Mask::of(kAllLanes) - in : in;
 }
 
-Roots intersect(const Quadric& quadric, const Rays& rays, const Span& span) {
+RootPairs root_pairs(const Quadric& quadric, const Rays& rays) {
     const Vec3 zero(0);
     const Vec3s& direction = rays.direction;
     const Reals shift = dot(Vec3s(zero) - rays.origin, direction) / rays.direction2;
@@ -109,9 +109,7 @@ Roots intersect(const Quadric& quadric, const Rays& rays, const Span& span) {
         for (int j = 0; j < 3; ++j) rounding = rounding + abs(direction[i] * Reals(quadric.q[i][j]) * direction[j]);
     a = select(abs(a) <= Reals(4 * kEpsilon) * rounding, Reals(0), a);
     const RootPairs roots = quadratic_roots(a, dot(d, qp), dot(p, qp));
-    const Reals first = shift + roots.first, second = shift + roots.second;
-    const Mask takes_first = span.contains(first);
-    return {roots.are & (takes_first | span.contains(second)), select(takes_first, first, second)};
+    return {roots.are, shift + roots.first, shift + roots.second};
 }
 
 Vec3s normal(const Quadric& quadric, const Vec3s& point) {

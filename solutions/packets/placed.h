@@ -25,7 +25,10 @@ Vec3s times(const Mat3& matrix, const Vec3s& v);
 
 // ---- Quadrics -------------------------------------------------------------------------------------------------------
 
-Roots intersect(const Quadric& quadric, const Rays& rays, const Span& span);
+RootPairs root_pairs(const Quadric& quadric, const Rays& rays);
+inline Roots intersect(const Quadric& quadric, const Rays& rays, const Span& span) {
+    return root_pairs(quadric, rays).smallest_in(span);
+}
 Vec3s normal(const Quadric& quadric, const Vec3s& point);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -50,11 +53,31 @@ Roots intersect_shape(const Scene& scene, const Object& object, std::uint32_t pa
     }
 }
 
+/// The smallest root in the span that inside(points) lets stand: what asking again behind each root that is cut away
+/// comes to, where there are two.
+template <class Inside>
+Roots first_unclipped(const RootPairs& roots, const Rays& rays, const Span& span, const Inside& inside) {
+    Mask first = roots.are & span.contains(roots.first);
+    if (first.any()) first = first & inside(rays.at(roots.first));
+    Mask second = (roots.are & span.contains(roots.second)) - first;
+    if (second.any()) second = second & inside(rays.at(roots.second));
+    return {first | second, select(first, roots.first, roots.second)};
+}
+
 /// In the shape's own space; `rays` are those of the world, in which clips stand.
 template <class Sheared>
 Roots intersect_clipped(const Scene& scene, const Object& object, std::uint32_t part, const Rays& rays,
                         const Rays& local, const Span& span, const Sheared& sheared) {
     if (object.clip == kNone) return intersect_shape(scene, object, part, local, span, sheared);
+    const auto inside_all = [&](const Vec3s& points) {
+        Mask in = Mask::of(kAllLanes);
+        for (const Object& clip : scene.clips[object.clip]) in = in & inside(scene, clip, points);
+        return in;
+    };
+    if (object.kind == ShapeKind::sphere)
+        return first_unclipped(root_pairs(scene.spheres[object.shape], local), rays, span, inside_all);
+    if (object.kind == ShapeKind::quadric)
+        return first_unclipped(root_pairs(scene.quadrics[object.shape], local), rays, span, inside_all);
     // As in step 1: a root that is cut away sends the question on behind it.
     Span rest = span;
     rest.any = false;
@@ -64,15 +87,13 @@ Roots intersect_clipped(const Scene& scene, const Object& object, std::uint32_t 
         const Roots roots = intersect_shape(scene, object, part, local, rest, sheared);
         const Mask met = roots.is & open;
         if (!met.any()) break;
-        Mask inside_all = met;
-        for (const Object& clip : scene.clips[object.clip])
-            inside_all = inside_all & inside(scene, clip, rays.at(roots.t));
-        unclipped.is = unclipped.is | inside_all;
-        unclipped.t = select(inside_all, roots.t, unclipped.t);
-        unclipped.u = select(inside_all, roots.u, unclipped.u);
-        unclipped.v = select(inside_all, roots.v, unclipped.v);
-        unclipped.part = select(inside_all, roots.part, unclipped.part);
-        open = met - inside_all;
+        const Mask stand = met & inside_all(rays.at(roots.t));
+        unclipped.is = unclipped.is | stand;
+        unclipped.t = select(stand, roots.t, unclipped.t);
+        unclipped.u = select(stand, roots.u, unclipped.u);
+        unclipped.v = select(stand, roots.v, unclipped.v);
+        unclipped.part = select(stand, roots.part, unclipped.part);
+        open = met - stand;
         rest.near = select(open, roots.t, rest.near);
         rest.far = select(open, rest.far, Reals(-kInfinity));
     }

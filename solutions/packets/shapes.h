@@ -10,23 +10,50 @@
 
 namespace rays::packets {
 
+// ---- Quadratic equations --------------------------------------------------------------------------------------------
+
+struct RootPairs {
+    Mask are;
+    Reals first, second;  ///< first <= second
+
+    static RootPairs none() { return {Mask::of(0), Reals(0.0), Reals(0.0)}; }
+    Roots smallest_in(const Span& span) const {
+        const Mask takes_first = span.contains(first);
+        return {are & (takes_first | span.contains(second)), select(takes_first, first, second)};
+    }
+};
+
+/// The real roots of a t^2 + 2 b t + c.
+inline RootPairs quadratic_roots(Reals a, Reals b, Reals c) {
+    const Reals ac = a * c, zero(0);
+    const Reals discriminant = fma(b, b, -ac) + fma(-a, c, ac);
+    const Mask are = discriminant >= zero;
+    if (!are.any()) return {are, zero, zero};
+    const Reals q = -(b + copysign(sqrt(discriminant), b));
+    const Mask at_zero = q == zero;
+    const Reals t0 = select(at_zero, zero, q / a), t1 = select(at_zero, zero, c / q);
+    const Mask ordered = t0 < t1;
+    return {are - (at_zero & (a == zero)), select(ordered, t0, t1), select(ordered, t1, t0)};
+}
+
 // ---- Spheres and planes ---------------------------------------------------------------------------------------------
 
-inline Roots intersect(const Sphere& sphere, const Rays& rays, const Span& span) {
+inline RootPairs root_pairs(const Sphere& sphere, const Rays& rays) {
     const Vec3s to_center = Vec3s(sphere.center) - rays.origin;
     const Reals b = dot(to_center, rays.direction);
     const Vec3s l = to_center - (b / rays.direction2) * rays.direction;
     const Reals half_chord2 = Reals(sphere.radius * sphere.radius) - dot(l, l);
-    const Mask meets = half_chord2 > Reals(0);
-    if (!meets.any()) return Roots::none();
+    const Mask are = half_chord2 > Reals(0);
+    if (!are.any()) return RootPairs::none();
     const Reals q = b + copysign(sqrt(rays.direction2 * half_chord2), b);
     const Reals distance = length(to_center);
     const Reals c = (distance - Reals(sphere.radius)) * (distance + Reals(sphere.radius));
     const Reals t0 = q / rays.direction2, t1 = c / q;
     const Mask ordered = t0 < t1;
-    const Reals first = select(ordered, t0, t1), second = select(ordered, t1, t0);
-    const Mask takes_first = span.contains(first);
-    return {meets & (takes_first | span.contains(second)), select(takes_first, first, second)};
+    return {are, select(ordered, t0, t1), select(ordered, t1, t0)};
+}
+inline Roots intersect(const Sphere& sphere, const Rays& rays, const Span& span) {
+    return root_pairs(sphere, rays).smallest_in(span);
 }
 inline Vec3s normal(const Sphere& sphere, const Vec3s& point) { return point - Vec3s(sphere.center); }
 
@@ -168,26 +195,6 @@ inline Vec3s box_normal(Reals part) {
         return select(low, Reals(-1), select(high, Reals(1), Reals(0.0)));
     };
     return {along(0), along(1), along(2)};
-}
-
-// ---- Quadratic equations --------------------------------------------------------------------------------------------
-
-struct RootPairs {
-    Mask are;
-    Reals first, second;
-};
-
-/// The real roots of a t^2 + 2 b t + c; first <= second.
-inline RootPairs quadratic_roots(Reals a, Reals b, Reals c) {
-    const Reals ac = a * c, zero(0);
-    const Reals discriminant = fma(b, b, -ac) + fma(-a, c, ac);
-    const Mask are = discriminant >= zero;
-    if (!are.any()) return {are, zero, zero};
-    const Reals q = -(b + copysign(sqrt(discriminant), b));
-    const Mask at_zero = q == zero;
-    const Reals t0 = select(at_zero, zero, q / a), t1 = select(at_zero, zero, c / q);
-    const Mask ordered = t0 < t1;
-    return {are - (at_zero & (a == zero)), select(ordered, t0, t1), select(ordered, t1, t0)};
 }
 
 // ---- Cones and cylinders --------------------------------------------------------------------------------------------
