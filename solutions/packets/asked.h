@@ -9,9 +9,11 @@ namespace rays::packets {
 
 class Asked {
 public:
-    /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
-    Asked(const Rays& rays_, const Span& span_, Mask lanes, int longest_axis, const Mask& open, const Reals& nearest)
-        : rays(rays_), active(lanes), span(span_), open_(open), nearest_(nearest), longest_axis_(longest_axis) {}
+    /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change. Without a `way` each ray
+    /// has its own.
+    Asked(const Rays& rays_, const Span& span_, Mask lanes, const Directions::Way* way, const Mask& open,
+          const Reals& nearest)
+        : rays(rays_), active(lanes), span(span_), open_(open), nearest_(nearest), way_(way) {}
 
     /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
     /// of the primitive decides.
@@ -21,7 +23,12 @@ public:
     }
 
     const ShearedRays& sheared() const {
-        if (!sheared_) sheared_.emplace(rays, longest_axis_);
+        if (!sheared_) {
+            if (way_)
+                sheared_.emplace(rays, way_->longest_axis);
+            else
+                sheared_.emplace(rays);
+        }
         return *sheared_;
     }
     Interval range(int i) const { return {Spread(span.near)[i], Spread(span.far)[i]}; }
@@ -37,7 +44,7 @@ public:
 private:
     const Mask& open_;
     const Reals& nearest_;
-    int longest_axis_;
+    const Directions::Way* way_;
     mutable std::optional<ShearedRays> sheared_;
     mutable std::optional<SpreadRays> single_;
 };

@@ -18,9 +18,8 @@ using Way = PrimitiveTester::Way;
 PacketIntersector::PacketIntersector(const Scene& scene)
     : hierarchy_(wide::make_hierarchy(scene)), single_(wide::make_bvh(hierarchy_)) {
     for (const Material& m : scene.materials) clear_materials_.push_back(lets_light_through(m.pigment));
-    takes_any_way_ = hierarchy_->tree.nodes.size() <= 1 &&
-                     std::none_of(scene.objects.begin(), scene.objects.end(),
-                                  [](const Object& object) { return is_faceted(object.kind); });
+    takes_any_way_ = hierarchy_->tree.nodes.size() <= 1;
+    has_triangles_ = !hierarchy_->tree.triangles.empty();
 }
 
 // ---- The walk -------------------------------------------------------------------------------------------------------
@@ -100,22 +99,30 @@ Mask fit_for_floats(const Rays& rays) {
 }  // namespace
 
 /// Calls together(lanes, way) for rays that go the same way, if they are enough, and returns the others. Where there is
-/// little to meet the way does not matter.
+/// little to meet the way does not matter: null.
 template <class Together>
 unsigned PacketIntersector::grouped(const Rays& rays, Mask active, const Together& together) const {
     const Mask fit = active & fit_for_floats(rays);
     unsigned alone = (active - fit).bits();
-    if (takes_any_way_) {
-        if (fit.any()) together(fit, Directions::Way{});
+    if (takes_any_way_ && !has_triangles_) {
+        if (fit.any()) together(fit, nullptr);
         return alone;
     }
     const Directions directions(rays.direction);
+    if (takes_any_way_ && fit.any()) {  // a beam tells triangles apart at once
+        const int first = std::countr_zero(fit.bits());
+        const Directions::Way way = directions.way(first);
+        together(fit, directions.like_the_first(fit.bits()) == fit.bits() ? &way : nullptr);
+        return alone;
+    }
     for (unsigned rest = fit.bits(); rest != 0;) {
         const unsigned group = directions.like_the_first(rest);
         if (std::popcount(group) < kFewestTogether)
             alone |= group;
-        else
-            together(Mask::of(group), directions.way(std::countr_zero(group)));
+        else {
+            const Directions::Way way = directions.way(std::countr_zero(group));
+            together(Mask::of(group), &way);
+        }
         rest &= ~group;
     }
     return alone;
@@ -123,21 +130,21 @@ unsigned PacketIntersector::grouped(const Rays& rays, Mask active, const Togethe
 
 /// Calls walk_with(front) with what boxes see of the rays.
 template <class WalkWith>
-void PacketIntersector::with_front(const Rays& rays, Mask lanes, const Directions::Way& way, const Span& span,
+void PacketIntersector::with_front(const Rays& rays, Mask lanes, const Directions::Way* way, const Span& span,
                                    const WalkWith& walk_with) const {
-    if (takes_any_way_) {
+    if (way) {
+        Beam beam(rays, lanes, *way, span);
+        walk_with(beam);
+    } else {
         Spray spray(rays, lanes, span);
         walk_with(spray);
-    } else {
-        Beam beam(rays, lanes, way, span);
-        walk_with(beam);
     }
 }
 
 Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span) const {
     Found found;
-    const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way& way) {
-        const Asked asked(rays, span, lanes, way.longest_axis, lanes, found.t);
+    const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way* way) {
+        const Asked asked(rays, span, lanes, way, lanes, found.t);
         Lone lone(*hierarchy_, asked);
         with_front(rays, lanes, way, span, [&](auto& front) {
             const auto ask = [&](std::uint32_t primitive) {
@@ -166,10 +173,10 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
                                  Suspects& suspects) const {
     const Mask asking = active & (span.near < span.far);
     Mask blocked = Mask::of(0);
-    const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
+    const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way* way) {
         std::uint32_t& suspect = suspects.of(lit[std::countr_zero(lanes.bits())]);
         Mask open = lanes;
-        const Asked asked(rays, {span.near, span.far, true}, lanes, way.longest_axis, open, span.far);
+        const Asked asked(rays, {span.near, span.far, true}, lanes, way, open, span.far);
         const auto blocks_all = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -214,9 +221,9 @@ constexpr double kPassedOver = 1.1 * kShadowTolerance;
 Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span& span) const {
     Obstacles met;
     const Mask asking = active & (span.near < span.far);
-    const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way& way) {
+    const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way* way) {
         Mask open = lanes;
-        const Asked asked(rays, {span.near, span.far, true}, lanes, way.longest_axis, open, span.far);
+        const Asked asked(rays, {span.near, span.far, true}, lanes, way, open, span.far);
         with_front(rays, lanes, way, span, [&](auto& front) {
             walk<false>(
                 front,

@@ -68,7 +68,7 @@ private:
     template <class Together>
     unsigned grouped(const Rays& rays, Mask active, const Together& together) const;
     template <class WalkWith>
-    void with_front(const Rays& rays, Mask lanes, const Directions::Way& way, const Span& span,
+    void with_front(const Rays& rays, Mask lanes, const Directions::Way* way, const Span& span,
                     const WalkWith& walk_with) const;
     template <bool sorted, class Front, class Ask, class AskAlone>
     void walk(Front& front, const Ask& ask, const AskAlone& ask_alone) const;
@@ -81,7 +81,7 @@ private:
     std::shared_ptr<const wide::Hierarchy> hierarchy_;
     std::unique_ptr<wide::SingleRays> single_;
     std::vector<bool> clear_materials_;
-    bool takes_any_way_ = false;
+    bool takes_any_way_ = false, has_triangles_ = false;
 };
 
 }  // namespace rays::packets

@@ -19,6 +19,11 @@ bool can_clip(const Object& object) {
     }
 }
 
+/// Of triangles: rays are sheared for them.
+bool is_faceted(ShapeKind kind) {
+    return kind == ShapeKind::triangle || kind == ShapeKind::smooth_triangle || kind == ShapeKind::mesh;
+}
+
 /// (p, w) as the columns of a matrix see it: in GLM's order of operations.
 struct Vec4s {
     Reals x, y, z, w;
@@ -73,10 +78,6 @@ Mask contains(const Scene& scene, const Object& object, const Vec3s& p) {
 Vec3s times(const Mat3& m, const Vec3s& v) {
     const auto row = [&](int i) { return Reals(m[0][i]) * v.x + Reals(m[1][i]) * v.y + Reals(m[2][i]) * v.z; };
     return {row(0), row(1), row(2)};
-}
-
-bool is_faceted(ShapeKind kind) {
-    return kind == ShapeKind::triangle || kind == ShapeKind::smooth_triangle || kind == ShapeKind::mesh;
 }
 
 bool has_packet_test(const Scene& scene, const Object& object) {

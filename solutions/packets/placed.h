@@ -5,9 +5,6 @@
 
 namespace rays::packets {
 
-/// Of triangles: rays are sheared for them, along the longest axis of their way.
-bool is_faceted(ShapeKind kind);
-
 /// Can eight rays ask this object at once? In a patch each ray goes its own way.
 bool has_packet_test(const Scene& scene, const Object& object);
 

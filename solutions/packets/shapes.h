@@ -77,15 +77,17 @@ inline Roots intersect(const Disc& disc, const Rays& rays, const Span& span) {
 
 // ---- Triangles ------------------------------------------------------------------------------------------------------
 
-/// Rays whose longest axis is the same, sheared so that they run along it.
+/// Rays sheared so that they run along their longest axis.
 class ShearedRays {
 public:
-    ShearedRays(const Rays& rays, int longest_axis)
-        : x_((longest_axis + 1) % 3), y_((longest_axis + 2) % 3), z_(longest_axis) {
-        origin_ = {rays.origin[x_], rays.origin[y_], rays.origin[z_]};
-        scale_ = Reals(1) / rays.direction[z_];
-        shear_x_ = rays.direction[x_] * scale_;
-        shear_y_ = rays.direction[y_] * scale_;
+    /// That axis is the same for all.
+    ShearedRays(const Rays& rays, int longest_axis) : axes_{longest_axis} { shear(rays); }
+    /// Each has its own.
+    explicit ShearedRays(const Rays& rays) {
+        const Reals x = abs(rays.direction.x), y = abs(rays.direction.y), z = abs(rays.direction.z);
+        axes_.x_is_longest = (x >= y) & (x >= z);
+        axes_.y_is_longest = (y >= z) - axes_.x_is_longest;
+        shear(rays);
     }
 
     Roots intersect(const Triangle& triangle, const Span& span) const {
@@ -100,13 +102,36 @@ public:
     }
 
 private:
+    /// Which axis becomes z; x and y are the next ones, in a circle.
+    struct Axes {
+        int longest = -1;  ///< of all rays, or each has its own
+        Mask x_is_longest = Mask::of(0), y_is_longest = Mask::of(0);
+
+        template <class Vector>
+        Vec3s turned(const Vector& v) const {
+            if (longest >= 0) return {Reals(v[(longest + 1) % 3]), Reals(v[(longest + 2) % 3]), Reals(v[longest])};
+            const auto one = [&](Reals x, Reals y, Reals z) {
+                return select(x_is_longest, x, select(y_is_longest, y, z));
+            };
+            const Reals x(v.x), y(v.y), z(v.z);
+            return {one(y, z, x), one(z, x, y), one(x, y, z)};
+        }
+    };
+
+    void shear(const Rays& rays) {
+        origin_ = axes_.turned(rays.origin);
+        const Vec3s direction = axes_.turned(rays.direction);
+        scale_ = Reals(1) / direction.z;
+        shear_x_ = direction.x * scale_;
+        shear_y_ = direction.y * scale_;
+    }
     Vec3s from_world(const Vec3& point) const {
-        const Reals x = Reals(point[x_]) - origin_.x, y = Reals(point[y_]) - origin_.y,
-                    z = Reals(point[z_]) - origin_.z;
-        return {x - shear_x_ * z, y - shear_y_ * z, z};
+        const Vec3s from_origin = axes_.turned(point) - origin_;
+        const Reals z = from_origin.z;
+        return {from_origin.x - shear_x_ * z, from_origin.y - shear_y_ * z, z};
     }
 
-    int x_, y_, z_;
+    Axes axes_;
     Vec3s origin_;
     Reals shear_x_, shear_y_, scale_;
 };

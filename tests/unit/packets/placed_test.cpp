@@ -67,9 +67,9 @@ void expect_same(const Scene& scene, Primitive p) {
     expect_same_roots(
         fmt::format("object {}, part {}", p.object, p.part), special_of(scene, p),
         [&](const Rays& rays, const Span& span, int axis) {
-            std::optional<ShearedRays> sheared;
+            std::optional<ShearedRays> sheared_rays;
             return intersect_placed(scene, object, p.part, rays, span,
-                                    [&]() -> const ShearedRays& { return sheared.emplace(rays, axis); });
+                                    [&]() -> const ShearedRays& { return sheared_rays.emplace(sheared(rays, axis)); });
         },
         [&](const Ray& ray, Interval range) { return intersect_part(scene, object, p.part, ray, range); },
         [](const Rays&, const Roots&, const Ray&, const Root&, int) {}, 1200);

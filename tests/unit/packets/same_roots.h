@@ -16,12 +16,17 @@ using test::Question;
 using test::RaysAt;
 using test::Special;
 
-/// Eight questions; the longest axis of their directions is the same (as triangles ask of a packet).
+/// Eight questions; the longest axis of their directions is the same (as triangles ask of a beam), or each has its own.
 struct EightQuestions {
     Lanes<Ray> rays;
     Lanes<Interval> ranges;
-    int longest_axis;
+    int longest_axis;  ///< kEachItsOwn: of a spray
 };
+constexpr int kEachItsOwn = -1;
+
+inline ShearedRays sheared(const Rays& rays, int longest_axis) {
+    return longest_axis == kEachItsOwn ? ShearedRays(rays) : ShearedRays(rays, longest_axis);
+}
 
 class QuestionSource {
 public:
@@ -32,10 +37,11 @@ public:
             const Question q = questions_.next();
             const Vec3 size = glm::abs(q.ray.direction);  // as step 1 compares
             const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-            auto& waiting = waiting_[std::size_t(axis)];
+            const bool any_way = ++asked_ / 64 % 2 == 1;
+            auto& waiting = waiting_[any_way ? 3 : std::size_t(axis)];
             waiting.push_back(q);
             if (waiting.size() < kLanes) continue;
-            EightQuestions packet{{}, {}, axis};
+            EightQuestions packet{{}, {}, any_way ? kEachItsOwn : axis};
             for (std::size_t i = 0; i < kLanes; ++i) {
                 packet.rays[i] = waiting[i].ray;
                 packet.ranges[i] = waiting[i].range;
@@ -47,7 +53,8 @@ public:
 
 private:
     RaysAt questions_;
-    std::array<std::vector<Question>, 3> waiting_;
+    std::array<std::vector<Question>, 4> waiting_;
+    std::uint64_t asked_ = 0;
 };
 
 inline Span together(const Lanes<Interval>& ranges) {

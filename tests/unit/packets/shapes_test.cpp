@@ -78,7 +78,7 @@ TEST(PacketShapes, TrianglesAlsoThroughTheirEdgesAndCorners) {
           Triangle{{1e5, 1e5, 0}, {1e5 + 1, 1e5, 0}, {1e5, 1e5, 1}}})
         expect_same_roots(
             "triangle", special_of({t.a, t.b, t.c}),
-            [&](const Rays& rays, const Span& span, int axis) { return ShearedRays(rays, axis).intersect(t, span); },
+            [&](const Rays& rays, const Span& span, int axis) { return sheared(rays, axis).intersect(t, span); },
             [&](const Ray& ray, Interval range) { return rays::intersect(t, ray, range); }, kNoNormal);
 }
 
@@ -89,7 +89,7 @@ TEST(PacketShapes, TrianglesWithoutAreaAreMissedAlike) {
         const EightQuestions packet = source.next();
         for (const Triangle& t : {line, point}) {
             const Roots roots =
-                ShearedRays(together(packet.rays), packet.longest_axis).intersect(t, together(packet.ranges));
+                sheared(together(packet.rays), packet.longest_axis).intersect(t, together(packet.ranges));
             for (std::size_t i = 0; i < kLanes; ++i)
                 ASSERT_EQ(roots.is.bits() >> i & 1,
                           unsigned{intersect(t, packet.rays[i], packet.ranges[i]).has_value()})
@@ -124,7 +124,7 @@ TEST(PacketShapes, FacesOfMeshesWithTheirCulling) {
             expect_same_roots(
                 "face", special,
                 [&](const Rays& rays, const Span& span, int axis) {
-                    return intersect(mesh, face, rays, ShearedRays(rays, axis), span);
+                    return intersect(mesh, face, rays, sheared(rays, axis), span);
                 },
                 [&](const Ray& ray, Interval range) { return rays::intersect(mesh, face, ray, range); }, kNoNormal,
                 1000);
@@ -144,7 +144,7 @@ TEST(PacketShapes, InterpolatedNormals) {
         expect_same_roots(
             "smooth triangle", special_of({t.triangle.a, t.triangle.b, t.triangle.c}),
             [&](const Rays& rays, const Span& span, int axis) {
-                return ShearedRays(rays, axis).intersect(t.triangle, span);
+                return sheared(rays, axis).intersect(t.triangle, span);
             },
             [&](const Ray& ray, Interval range) { return rays::intersect(t, ray, range); }, normals(t), 1000);
     };
