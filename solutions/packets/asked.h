@@ -9,11 +9,9 @@ namespace rays::packets {
 
 class Asked {
 public:
-    /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change. Without a `way` each ray
-    /// has its own.
-    Asked(const Rays& rays_, const Span& span_, Mask lanes, const Directions::Way* way, const Mask& open,
-          const Reals& nearest)
-        : rays(rays_), active(lanes), span(span_), open_(open), nearest_(nearest), way_(way) {}
+    /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
+    Asked(const Rays& rays_, const Span& span_, Mask lanes, const Mask& open, const Reals& nearest)
+        : rays(rays_), active(lanes), span(span_), open_(open), nearest_(nearest) {}
 
     /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
     /// of the primitive decides.
@@ -23,12 +21,7 @@ public:
     }
 
     const ShearedRays& sheared() const {
-        if (!sheared_) {
-            if (way_)
-                sheared_.emplace(rays, way_->longest_axis);
-            else
-                sheared_.emplace(rays);
-        }
+        if (!sheared_) sheared_.emplace(rays, active);
         return *sheared_;
     }
     Interval range(int i) const { return {Spread(span.near)[i], Spread(span.far)[i]}; }
@@ -44,7 +37,6 @@ public:
 private:
     const Mask& open_;
     const Reals& nearest_;
-    const Directions::Way* way_;
     mutable std::optional<ShearedRays> sheared_;
     mutable std::optional<SpreadRays> single_;
 };

@@ -16,7 +16,7 @@ using Number = std::uint8_t;  ///< of a ray in its batch, or of a pixel in its b
 /// Numbers of rays, in some order.
 struct Numbers {
     int count = 0;
-    Number of[Block::kMost];
+    Number of[Block::kSize];
 
     void add(Number n) { of[count++] = n; }
     void add(const Number (&eight)[kLanes], unsigned which) {
@@ -88,7 +88,7 @@ void each_chunk(const Numbers& numbers, const What& what) {
 
 /// Vectors and light side by side, component by component.
 struct VectorColumns {
-    double of[3][Block::kMost];
+    double of[3][Block::kSize];
 
     Vec3s load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
     /// Eight from `first` on.
@@ -112,25 +112,20 @@ struct VectorColumns {
     }
 };
 
-/// The ways that eight rays go, from 0 to 23: the signs of their directions and the longest axis.
+/// The ways that eight rays go, from 0 to 7: the signs of their directions.
 inline __m256i ways_of(const Vec3s& d) {
-    const auto where = [](Mask mask, int yes, int no) {
-        const __m256 both[2] = {_mm256_castsi256_ps(_mm256_set1_epi32(yes)),
-                                _mm256_castsi256_ps(_mm256_set1_epi32(no))};
-        return _mm256_castps_si256(select(narrow(mask), both[0], both[1]));
+    const auto where_back = [](Reals along, int bit) {
+        const __m256 yes = _mm256_castsi256_ps(_mm256_set1_epi32(bit));
+        return _mm256_castps_si256(select(narrow(along < Reals(0.0)), yes, _mm256_setzero_ps()));
     };
-    const Reals zero(0.0), x = abs(d.x), y = abs(d.y), z = abs(d.z);
-    const Mask by_x = (x >= y) & (x >= z), by_y = (y >= z) - by_x, by_z = Mask::of(kAllLanes) - by_x - by_y;
-    const __m256i signs =
-        _mm256_or_si256(_mm256_or_si256(where(d.x < zero, 1, 0), where(d.y < zero, 2, 0)), where(d.z < zero, 4, 0));
-    return _mm256_or_si256(signs, _mm256_or_si256(where(by_y, 8, 0), where(by_z, 16, 0)));
+    return _mm256_or_si256(_mm256_or_si256(where_back(d.x, 1), where_back(d.y, 2)), where_back(d.z, 4));
 }
 
 /// Calls what(chunk) for rays that go the same way, eight by eight.
 template <class What>
 void each_chunk_by_way(const VectorColumns& direction, int count, const What& what) {
-    constexpr int kWays = 24;
-    alignas(32) std::int32_t way[Block::kMost];
+    constexpr int kWays = 8;
+    alignas(32) std::int32_t way[Block::kSize];
     for (int first = 0; first < count; first += kLanes)  // of lanes without a ray, too: they are not looked at
         _mm256_store_si256(reinterpret_cast<__m256i*>(way + first), ways_of(direction.load(first)));
     std::uint16_t counts[kWays] = {}, next[kWays];
@@ -138,7 +133,7 @@ void each_chunk_by_way(const VectorColumns& direction, int count, const What& wh
     for (int n = 0; n < count; ++n) ++counts[way[n]], taken |= 1u << way[n];
     std::uint16_t begin = 0;
     each_lane(taken, [&](int w) { next[w] = begin, begin = static_cast<std::uint16_t>(begin + counts[w]); });
-    Number ordered[Block::kMost];
+    Number ordered[Block::kSize];
     for (int n = 0; n < count; ++n) ordered[next[way[n]]++] = static_cast<Number>(n);
     each_lane(taken, [&](int w) {  // next is where the way ends by now
         for (int first = next[w] - counts[w]; first < next[w]; first += kLanes) what(Chunk(ordered, first, next[w]));
@@ -146,7 +141,7 @@ void each_chunk_by_way(const VectorColumns& direction, int count, const What& wh
 }
 
 struct LightColumns {
-    float of[3][Block::kMost];
+    float of[3][Block::kSize];
 
     Radiances load(const Chunk& chunk) const { return {chunk.load(of[0]), chunk.load(of[1]), chunk.load(of[2])}; }
     Radiance operator[](Number n) const { return {of[0][n], of[1][n], of[2][n]}; }
@@ -159,9 +154,9 @@ struct LightColumns {
     void set(Number n, const Radiance& light) {
         for (int c = 0; c < 3; ++c) of[c][n] = light[c];
     }
-    /// The first `count`, a multiple of 4, to radiances side by side.
-    void add_to(Radiance (&sum)[Block::kMost], int count) const {
-        for (int n = 0; n < count; n += 4) {
+    /// All of them, to radiances side by side.
+    void add_to(Radiance (&sum)[Block::kSize]) const {
+        for (int n = 0; n < Block::kSize; n += 4) {
             __m128 r = _mm_loadu_ps(of[0] + n), g = _mm_loadu_ps(of[1] + n), b = _mm_loadu_ps(of[2] + n),
                    none = _mm_setzero_ps();
             _MM_TRANSPOSE4_PS(r, g, b, none);
@@ -189,9 +184,9 @@ struct Batch {
     bool straight = false;  ///< as in Branch
     Inside inside;          ///< as in Branch
     VectorColumns origin, direction;
-    float weight[Block::kMost];
-    Number pixel[Block::kMost];   ///< whose tree it is in
-    Number parent[Block::kMost];  ///< the ray of the batch above that it comes from
+    float weight[Block::kSize];
+    Number pixel[Block::kSize];   ///< whose tree it is in
+    Number parent[Block::kSize];  ///< the ray of the batch above that it comes from
 
     Ray ray(Number n) const {
         return {{origin.of[0][n], origin.of[1][n], origin.of[2][n]},

@@ -144,7 +144,7 @@ void PacketIntersector::with_front(const Rays& rays, Mask lanes, const Direction
 Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span) const {
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way* way) {
-        const Asked asked(rays, span, lanes, way, lanes, found.t);
+        const Asked asked(rays, span, lanes, lanes, found.t);
         Lone lone(*hierarchy_, asked);
         with_front(rays, lanes, way, span, [&](auto& front) {
             const auto ask = [&](std::uint32_t primitive) {
@@ -176,7 +176,7 @@ Mask PacketIntersector::occluded(const Rays& rays, Mask active, const Span& span
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way* way) {
         std::uint32_t& suspect = suspects.of(lit[std::countr_zero(lanes.bits())]);
         Mask open = lanes;
-        const Asked asked(rays, {span.near, span.far, true}, lanes, way, open, span.far);
+        const Asked asked(rays, {span.near, span.far, true}, lanes, open, span.far);
         const auto blocks_all = [&](std::uint32_t primitive) {
             const Mask now = blocked_by(primitive, asked, open);
             if (!now.any()) return false;
@@ -223,7 +223,7 @@ Obstacles PacketIntersector::obstacles(const Rays& rays, Mask active, const Span
     const Mask asking = active & (span.near < span.far);
     const unsigned alone = grouped(rays, asking, [&](Mask lanes, const Directions::Way* way) {
         Mask open = lanes;
-        const Asked asked(rays, {span.near, span.far, true}, lanes, way, open, span.far);
+        const Asked asked(rays, {span.near, span.far, true}, lanes, open, span.far);
         with_front(rays, lanes, way, span, [&](auto& front) {
             walk<false>(
                 front,

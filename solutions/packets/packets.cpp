@@ -17,7 +17,6 @@ public:
     const Intersector& intersector() const override { return intersector_.single(); }
     /// Deep trees of glass run thin: more rays fill more lanes. Where a hierarchy has to be walked, rays that are
     /// nearer to each other are worth more (NOTES.md).
-    int block_side() const override { return intersector_.takes_any_way() ? Block::kMostSide : 8; }
     std::unique_ptr<PacketTracer> tracer(World& world) const override {
         return std::make_unique<Tracer>(intersector_, world);
     }

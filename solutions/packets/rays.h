@@ -42,20 +42,15 @@ void each_lane(unsigned bits, const What& what) {
     for (; bits != 0; bits &= bits - 1) what(__builtin_ctz(bits));
 }
 
-/// Rays that go the same way: along each axis forwards, backwards or not at all, and the same axis is their longest.
+/// Rays that go the same way: along each axis forwards, backwards or not at all.
 class Directions {
 public:
     struct Way {
-        int longest_axis = 0;
-        bool forwards[3] = {};  ///< or not at all
+        bool forwards[3];  ///< or not at all
     };
 
     explicit Directions(const Vec3s& d) {
         const Reals zero(0.0);
-        const Vec3s size{abs(d.x), abs(d.y), abs(d.z)};
-        const unsigned by_x = ((size.x >= size.y) & (size.x >= size.z)).bits();
-        longest_[0] = by_x;
-        longest_[1] = (size.y >= size.z).bits() & ~by_x;
         for (int a = 0; a < 3; ++a) {
             back_[a] = (d[a] < zero).bits();
             still_[a] = (d[a] == zero).bits();
@@ -66,19 +61,14 @@ public:
     unsigned like_the_first(unsigned lanes) const {
         const int first = __builtin_ctz(lanes);
         const auto same = [&](unsigned property) { return (property >> first & 1) ? property : ~property; };
-        unsigned alike = lanes & same(longest_[0]) & same(longest_[1]);
+        unsigned alike = lanes;
         for (int a = 0; a < 3; ++a) alike &= same(back_[a]) & same(still_[a]);
         return alike;
     }
-    Way way(int lane) const {
-        return {longest_[0] >> lane & 1   ? 0
-                : longest_[1] >> lane & 1 ? 1
-                                          : 2,
-                {!(back_[0] >> lane & 1), !(back_[1] >> lane & 1), !(back_[2] >> lane & 1)}};
-    }
+    Way way(int lane) const { return {{!(back_[0] >> lane & 1), !(back_[1] >> lane & 1), !(back_[2] >> lane & 1)}}; }
 
 private:
-    unsigned longest_[2], back_[3], still_[3];
+    unsigned back_[3], still_[3];
 };
 
 /// A root for each lane of `is`.

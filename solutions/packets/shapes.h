@@ -80,14 +80,12 @@ inline Roots intersect(const Disc& disc, const Rays& rays, const Span& span) {
 /// Rays sheared so that they run along their longest axis.
 class ShearedRays {
 public:
-    /// That axis is the same for all.
-    ShearedRays(const Rays& rays, int longest_axis) : axes_{longest_axis} { shear(rays); }
-    /// Each has its own.
-    explicit ShearedRays(const Rays& rays) {
-        const Reals x = abs(rays.direction.x), y = abs(rays.direction.y), z = abs(rays.direction.z);
-        axes_.x_is_longest = (x >= y) & (x >= z);
-        axes_.y_is_longest = (y >= z) - axes_.x_is_longest;
-        shear(rays);
+    /// Rays that are not `active` do not count.
+    ShearedRays(const Rays& rays, Mask active) : axes_(rays.direction, active), origin_(axes_.turned(rays.origin)) {
+        const Vec3s direction = axes_.turned(rays.direction);
+        scale_ = Reals(1) / direction.z;
+        shear_x_ = direction.x * scale_;
+        shear_y_ = direction.y * scale_;
     }
 
     Roots intersect(const Triangle& triangle, const Span& span) const {
@@ -103,28 +101,38 @@ public:
 
 private:
     /// Which axis becomes z; x and y are the next ones, in a circle.
-    struct Axes {
-        int longest = -1;  ///< of all rays, or each has its own
-        Mask x_is_longest = Mask::of(0), y_is_longest = Mask::of(0);
+    class Axes {
+    public:
+        Axes(const Vec3s& direction, Mask active) {
+            const Reals x = abs(direction.x), y = abs(direction.y), z = abs(direction.z);
+            x_is_longest_ = (x >= y) & (x >= z);
+            y_is_longest_ = (y >= z) - x_is_longest_;
+            const auto all = [&](Mask mask) { return !(active - mask).any(); };
+            if (all(x_is_longest_))
+                of_all_ = 0;
+            else if (all(y_is_longest_))
+                of_all_ = 1;
+            else if (!(active & (x_is_longest_ | y_is_longest_)).any())
+                of_all_ = 2;
+        }
 
         template <class Vector>
         Vec3s turned(const Vector& v) const {
-            if (longest >= 0) return {Reals(v[(longest + 1) % 3]), Reals(v[(longest + 2) % 3]), Reals(v[longest])};
+            if (of_all_ != kDiffers)
+                return {Reals(v[(of_all_ + 1) % 3]), Reals(v[(of_all_ + 2) % 3]), Reals(v[of_all_])};
             const auto one = [&](Reals x, Reals y, Reals z) {
-                return select(x_is_longest, x, select(y_is_longest, y, z));
+                return select(x_is_longest_, x, select(y_is_longest_, y, z));
             };
             const Reals x(v.x), y(v.y), z(v.z);
             return {one(y, z, x), one(z, x, y), one(x, y, z)};
         }
+
+    private:
+        static constexpr int kDiffers = -1;
+        Mask x_is_longest_, y_is_longest_;
+        int of_all_ = kDiffers;
     };
 
-    void shear(const Rays& rays) {
-        origin_ = axes_.turned(rays.origin);
-        const Vec3s direction = axes_.turned(rays.direction);
-        scale_ = Reals(1) / direction.z;
-        shear_x_ = direction.x * scale_;
-        shear_y_ = direction.y * scale_;
-    }
     Vec3s from_world(const Vec3& point) const {
         const Vec3s from_origin = axes_.turned(point) - origin_;
         const Reals z = from_origin.z;

@@ -11,17 +11,16 @@ constexpr int kFewest = 3;
 
 /// 0, 1, 2, ..
 constexpr auto kInOrder = [] {
-    std::array<Number, Block::kMost> numbers{};
-    for (int n = 0; n < Block::kMost; ++n) numbers[static_cast<std::size_t>(n)] = static_cast<Number>(n);
+    std::array<Number, Block::kSize> numbers{};
+    for (int n = 0; n < Block::kSize; ++n) numbers[static_cast<std::size_t>(n)] = static_cast<Number>(n);
     return numbers;
 }();
 
 /// Step 1's camera_ray for the pixels of a block, directions made of unit length.
 class CameraRays {
 public:
-    CameraRays(const Camera& camera, const Raster& raster, Block block, Vec2 offset)
-        : camera_(camera), parts_(block.side / kLanes) {
-        for (int part = 0; part < parts_; ++part) {
+    CameraRays(const Camera& camera, const Raster& raster, Block block, Vec2 offset) : camera_(camera) {
+        for (int part = 0; part < kParts; ++part) {
             const Reals count = Reals(double(part * kLanes)) + Reals(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
             const Reals from_left = (Reals(block.x) + count + Reals(0.5) + Reals(offset.x)) / Reals(raster.width);
             const Reals from_top = (Reals(block.y) + count + Reals(0.5) + Reals(offset.y)) / Reals(raster.height);
@@ -32,9 +31,9 @@ public:
 
     /// Those from `first` on: two rows of four pixels.
     Rays eight(int first) const {
-        const int row = first / (2 * parts_ * kLanes) * 2;
-        const Reals& eight = column_[first / (2 * kLanes) % parts_];
-        const __m256d columns = first / kLanes % 2 == 0 ? eight.first_four() : eight.last_four();
+        const int row = 2 * Block::down(first / kLanes), across = Block::across(first / kLanes);
+        const Reals& eight = column_[across / 2];
+        const __m256d columns = across % 2 == 0 ? eight.first_four() : eight.last_four();
         const Spread& rows = row_[row / kLanes];
         const Reals x(columns, columns), y(_mm256_set1_pd(rows[row % kLanes]), _mm256_set1_pd(rows[row % kLanes + 1]));
         const Vec3s right(camera_.right), up(camera_.up), direction(camera_.direction), location(camera_.location);
@@ -43,11 +42,10 @@ public:
     }
 
 private:
-    static constexpr int kMostParts = Block::kMostSide / kLanes;
+    static constexpr int kParts = Block::kSide / kLanes;  ///< of eight columns and eight rows
     const Camera& camera_;
-    int parts_;                 ///< of eight columns and eight rows
-    Reals column_[kMostParts];  ///< on the film, from the left to the right edge -1/2 to 1/2
-    Spread row_[kMostParts];    ///< downwards, 1/2 to -1/2
+    Reals column_[kParts];  ///< on the film, from the left to the right edge -1/2 to 1/2
+    Spread row_[kParts];    ///< downwards, 1/2 to -1/2
 };
 
 }  // namespace
@@ -67,7 +65,7 @@ Tracer::Frame& Tracer::frame(std::size_t depth) {
 }
 
 void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
-                          Radiance (&sum)[Block::kMost], double (&pruned)[Block::kMost]) {
+                          Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) {
     pruned_ = pruned;
     Frame& first = frame(0);
     first.batch.count = first.batch.above = first.batch.level = 0;
@@ -75,7 +73,7 @@ void Tracer::add_radiance(const Raster& raster, Block block, Vec2 offset, const 
     first.batch.inside = inside;
     add_camera_rays(raster, block, offset, first);
     trace(0);
-    if (first.batch.count == block.size()) return first.brought.add_to(sum, block.size());
+    if (first.batch.count == Block::kSize) return first.brought.add_to(sum);
     for (int n = 0; n < first.batch.count; ++n) sum[first.batch.pixel[n]] += first.brought[static_cast<Number>(n)];
 }
 
@@ -102,9 +100,9 @@ void Tracer::trace(const SampleRays& rays, const Inside& inside, Radiance (&brou
 
 void Tracer::add_camera_rays(const Raster& raster, Block block, Vec2 offset, Frame& frame) const {
     Batch& batch = frame.batch;
-    std::fill(batch.weight, batch.weight + block.size(), 1.0f);
+    std::fill(batch.weight, batch.weight + Block::kSize, 1.0f);
     const CameraRays camera_rays(scene_.camera, raster, block, offset);
-    for (int first = 0; first < block.size(); first += kLanes) {
+    for (int first = 0; first < Block::kSize; first += kLanes) {
         const Rays rays = camera_rays.eight(first);
         if (block.column(first + 3) < raster.width && block.row(first + 4) < raster.height) {
             batch.origin.store(batch.count, rays.origin);

@@ -17,7 +17,7 @@ public:
     Tracer(const PacketIntersector& intersector, World& world);
 
     void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
-                      Radiance (&sum)[Block::kMost], double (&pruned)[Block::kMost]) override;
+                      Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) override;
     void trace(const SampleRays& rays, const Inside& inside, Radiance (&brought)[SampleRays::kMost],
                double (&pruned)[SampleRays::kMost]) override;
 
@@ -35,15 +35,15 @@ private:
         Batch batch;
         LightColumns brought;
 
-        double distance[Block::kMost];
+        double distance[Block::kSize];
         VectorColumns point, normal;  ///< the normal is turned to the viewer once the surface is lit
-        std::uint32_t object[Block::kMost], material[Block::kMost];
+        std::uint32_t object[Block::kSize], material[Block::kSize];
 
         Numbers hits, alike;  ///< rays that met something and are still to be lit; those in hand. Not on the stack: a
                               ///< tree may be a thousand levels deep
         Numbers mirrors;      ///< rays that are mirrored, with their share of it and the weight of what they bring
         LightColumns share;
-        float mirror_weight[Block::kMost];
+        float mirror_weight[Block::kSize];
         Numbers clear;             ///< rays that go through
         Numbers total_reflection;  ///< those of them that cannot
         LightColumns tint;

@@ -11,16 +11,18 @@
 namespace rays {
 
 /// A square of neighbouring pixels, given by its upper left corner. Eight that follow each other lie in two rows of
-/// four.
+/// four; eights follow each other along Morton's curve, so that many in a row are near each other, too.
 struct Block {
-    static constexpr int kMostSide = 16, kMost = kMostSide * kMostSide;
+    static constexpr int kSide = 16, kSize = kSide * kSide;
     static constexpr int kRun = 4;  ///< so many that follow each other are side by side
 
     int x = 0, y = 0;
-    int side = 8;  ///< or kMostSide
-    int size() const { return side * side; }
-    int column(int i) const { return x + i / 8 % (side / kRun) * kRun + i % kRun; }
-    int row(int i) const { return y + i / (2 * side) * 2 + i % 8 / kRun; }
+    int column(int i) const { return x + across(i / 8) * kRun + i % kRun; }
+    int row(int i) const { return y + down(i / 8) * 2 + i % 8 / kRun; }
+
+    /// Where an eight is: how many are to its left and above it.
+    static int across(int eight) { return (eight >> 1 & 1) | (eight >> 2 & 2); }
+    static int down(int eight) { return (eight & 1) | (eight >> 1 & 2) | (eight >> 2 & 4); }
 };
 
 /// Rays of samples, each with its own tree: where it starts, where the lights are for it, how its rough surfaces tilt.
@@ -58,7 +60,7 @@ public:
     /// `pruned` what pruning leaves open (World::pruned). Pixels beyond the raster get nothing. All rays start in the
     /// same media.
     virtual void add_radiance(const Raster& raster, Block block, Vec2 offset, const Inside& inside,
-                              Radiance (&sum)[Block::kMost], double (&pruned)[Block::kMost]) = 0;
+                              Radiance (&sum)[Block::kSize], double (&pruned)[Block::kSize]) = 0;
     /// Sets `brought` to what each ray brings and adds to `pruned`. All rays start in the same media.
     virtual void trace(const SampleRays& rays, const Inside& inside, Radiance (&brought)[SampleRays::kMost],
                        double (&pruned)[SampleRays::kMost]) = 0;
@@ -70,8 +72,6 @@ public:
     virtual ~Packets() = default;
     /// For single rays.
     virtual const Intersector& intersector() const = 0;
-    /// Of the blocks that this scene is traced in.
-    virtual int block_side() const = 0;
     /// `world` is the thread's own, over this intersector.
     virtual std::unique_ptr<PacketTracer> tracer(World& world) const = 0;
     /// For Sobol points and the box filter. Null where the lens or the lights are not the usual ones.

@@ -71,39 +71,38 @@ void render_row(World& world, const CameraMedia& media, const RenderOptions& opt
 /// out that nothing is there.
 class Gathered {
 public:
-    Radiance sum[Block::kMost];
-    double pruned[Block::kMost] = {};
+    Radiance sum[Block::kSize];
+    double pruned[Block::kSize] = {};
 
     /// Moves the light, times `weight`, to the lines that begin where the block does: all of it, or as far as the block
     /// is in the picture.
     void move_light(const Block& block, float weight, Film& lines) {
         const Raster& raster = lines.raster();
-        const bool is_whole = block.x + block.side <= raster.width && block.side <= raster.height;
-        for (int i = 0; i < block.size(); i += Block::kRun) {
+        const bool is_whole = block.x + Block::kSide <= raster.width && Block::kSide <= raster.height;
+        for (int i = 0; i < Block::kSize; i += Block::kRun) {
             const int x = block.column(i), y = block.row(i) - block.y;
             if (!is_whole && y >= raster.height) continue;
             const int count = is_whole ? Block::kRun : std::clamp(raster.width - x, 0, Block::kRun);
             for (int k = 0; k < count; ++k)
                 for (int c = 0; c < 4; ++c) lines.at(x + k, y)[c] = weight * sum[i + k][c];
         }
-        std::fill(sum, sum + block.size(), Radiance());
+        std::fill(sum, sum + Block::kSize, Radiance());
     }
     void move_pruned(const Block& block, int samples, Residuals& residuals) {
-        static constexpr double kNothing[Block::kMost] = {};
-        const auto bytes = sizeof(double) * static_cast<std::size_t>(block.size());
-        if (std::memcmp(pruned, kNothing, bytes) == 0) return;
-        for (int i = 0; i < block.size(); ++i)
+        static constexpr double kNothing[Block::kSize] = {};
+        if (std::memcmp(pruned, kNothing, sizeof kNothing) == 0) return;
+        for (int i = 0; i < Block::kSize; ++i)
             if (pruned[i] != 0) residuals.add(block.column(i), block.row(i), pruned[i] / samples);
-        std::fill(pruned, pruned + block.size(), 0.0);
+        std::fill(pruned, pruned + Block::kSize, 0.0);
     }
 };
 
 /// A row of blocks from y downwards, as far as they are in the picture.
-void render_packets(PacketTracer& tracer, const Inside& media, const RenderOptions& options, int y, int side,
-                    Film& lines, Residuals& residuals) {
+void render_packets(PacketTracer& tracer, const Inside& media, const RenderOptions& options, int y, Film& lines,
+                    Residuals& residuals) {
     const Grid grid(options.samples);
     Gathered gathered;
-    for (Block block{0, y, side}; block.x < options.raster.width; block.x += side) {
+    for (Block block{0, y}; block.x < options.raster.width; block.x += Block::kSide) {
         grid.each([&](Vec2 offset) {
             tracer.add_radiance(options.raster, block, offset, media, gathered.sum, gathered.pruned);
         });
@@ -147,7 +146,7 @@ void render_regularly(const Scene& scene, const RenderOptions& options, FilmLine
     // All rays of a packet must start in the same media.
     const auto everywhere = packets ? media.everywhere() : std::nullopt;
     Residuals residuals(options.raster.height);
-    const int together = everywhere ? packets->block_side() : kLinesTogether;
+    const int together = everywhere ? Block::kSide : kLinesTogether;
     std::atomic<int> next_row{0};
     const auto work = [&](bool reports) {
         World world = prototype;
@@ -157,7 +156,7 @@ void render_regularly(const Scene& scene, const RenderOptions& options, FilmLine
             const int end = std::min(y + together, options.raster.height);
             if (end - y < together) lines = Film({options.raster.width, end - y});
             if (tracer)
-                render_packets(*tracer, *everywhere, options, y, together, lines, residuals);
+                render_packets(*tracer, *everywhere, options, y, lines, residuals);
             else
                 for (int row = y; row < end; ++row) render_row(world, media, options, row, lines, y, residuals);
             develop(lines, scene.settings.gamma);

@@ -135,13 +135,9 @@ TEST(PacketDirections, GroupRaysOfOneWay) {
                           Ray{Vec3(0), {0, 2, 3}},    Ray{Vec3(0), {3, 2, 1}},  Ray{Vec3(0), {1, 3, 2}},
                           Ray{Vec3(0), {-0.0, 1, 2}}, Ray{Vec3(0), {2, 2, 2}}};
     const Directions directions(together(rays).direction);
-    EXPECT_EQ(directions.like_the_first(0b11111111), 0b00000101u);
+    EXPECT_EQ(directions.like_the_first(0b11111111), 0b10110101u);
     EXPECT_EQ(directions.like_the_first(0b11111010), 0b00000010u);
     EXPECT_EQ(directions.like_the_first(0b11111000), 0b01001000u) << "0 and -0 both stand still";
-    EXPECT_EQ(directions.like_the_first(0b11110000), 0b10010000u) << "of equal components the first is the longest";
-    EXPECT_EQ(directions.way(0).longest_axis, 2);
-    EXPECT_EQ(directions.way(4).longest_axis, 0);
-    EXPECT_EQ(directions.way(5).longest_axis, 1);
     EXPECT_FALSE(directions.way(1).forwards[0]);
     EXPECT_TRUE(directions.way(6).forwards[0]);
 }

@@ -66,10 +66,10 @@ void expect_same(const Scene& scene, Primitive p) {
     const Object& object = scene.objects[p.object];
     expect_same_roots(
         fmt::format("object {}, part {}", p.object, p.part), special_of(scene, p),
-        [&](const Rays& rays, const Span& span, int axis) {
+        [&](const Rays& rays, const Span& span) {
             std::optional<ShearedRays> sheared_rays;
             return intersect_placed(scene, object, p.part, rays, span,
-                                    [&]() -> const ShearedRays& { return sheared_rays.emplace(sheared(rays, axis)); });
+                                    [&]() -> const ShearedRays& { return sheared_rays.emplace(sheared(rays)); });
         },
         [&](const Ray& ray, Interval range) { return intersect_part(scene, object, p.part, ray, range); },
         [](const Rays&, const Roots&, const Ray&, const Root&, int) {}, 1200);

@@ -16,17 +16,14 @@ using test::Question;
 using test::RaysAt;
 using test::Special;
 
-/// Eight questions; the longest axis of their directions is the same (as triangles ask of a beam), or each has its own.
+/// Eight questions; the longest axis of their directions is the same, or each has its own (triangles know the
+/// difference).
 struct EightQuestions {
     Lanes<Ray> rays;
     Lanes<Interval> ranges;
-    int longest_axis;  ///< kEachItsOwn: of a spray
 };
-constexpr int kEachItsOwn = -1;
 
-inline ShearedRays sheared(const Rays& rays, int longest_axis) {
-    return longest_axis == kEachItsOwn ? ShearedRays(rays) : ShearedRays(rays, longest_axis);
-}
+inline ShearedRays sheared(const Rays& rays) { return {rays, Mask::of(kAllLanes)}; }
 
 class QuestionSource {
 public:
@@ -41,7 +38,7 @@ public:
             auto& waiting = waiting_[any_way ? 3 : std::size_t(axis)];
             waiting.push_back(q);
             if (waiting.size() < kLanes) continue;
-            EightQuestions packet{{}, {}, any_way ? kEachItsOwn : axis};
+            EightQuestions packet;
             for (std::size_t i = 0; i < kLanes; ++i) {
                 packet.rays[i] = waiting[i].ray;
                 packet.ranges[i] = waiting[i].range;
@@ -75,7 +72,7 @@ inline std::string text(const std::optional<Root>& root) {
                 : "miss";
 }
 
-/// Packets of hard rays: roots(rays, span, longest axis) must be what root(ray, range) is, bit by bit. `hit` is called
+/// Packets of hard rays: roots(rays, span) must be what root(ray, range) is, bit by bit. `hit` is called
 /// with the rays of a packet, its roots, and a lane that has one.
 template <class RootsOf, class RootOf, class Hit>
 void expect_same_roots(const std::string& name, const Special& special, RootsOf roots_of, RootOf root_of, Hit hit,
@@ -85,7 +82,7 @@ void expect_same_roots(const std::string& name, const Special& special, RootsOf 
     for (int n = 0; n < packets; ++n) {
         const EightQuestions packet = source.next();
         const Rays rays = together(packet.rays);
-        const Roots roots = roots_of(rays, together(packet.ranges), packet.longest_axis);
+        const Roots roots = roots_of(rays, together(packet.ranges));
         const Spread t(roots.t), u(roots.u), v(roots.v), part(roots.part);
         for (int i = 0; i < kLanes; ++i) {
             const Ray& ray = packet.rays[std::size_t(i)];

@@ -23,7 +23,7 @@ auto with_normals(const Shape& shape, Normals normals) {
 template <class Shape, class Hit>
 void expect_same(const std::string& name, const Shape& shape, const Special& special, Hit hit) {
     expect_same_roots(
-        name, special, [&](const Rays& rays, const Span& span, int) { return intersect(shape, rays, span); },
+        name, special, [&](const Rays& rays, const Span& span) { return intersect(shape, rays, span); },
         [&](const Ray& ray, Interval range) { return rays::intersect(shape, ray, range); }, hit);
 }
 
@@ -78,7 +78,7 @@ TEST(PacketShapes, TrianglesAlsoThroughTheirEdgesAndCorners) {
           Triangle{{1e5, 1e5, 0}, {1e5 + 1, 1e5, 0}, {1e5, 1e5, 1}}})
         expect_same_roots(
             "triangle", special_of({t.a, t.b, t.c}),
-            [&](const Rays& rays, const Span& span, int axis) { return sheared(rays, axis).intersect(t, span); },
+            [&](const Rays& rays, const Span& span) { return sheared(rays).intersect(t, span); },
             [&](const Ray& ray, Interval range) { return rays::intersect(t, ray, range); }, kNoNormal);
 }
 
@@ -88,8 +88,7 @@ TEST(PacketShapes, TrianglesWithoutAreaAreMissedAlike) {
     for (int n = 0; n < 500; ++n) {
         const EightQuestions packet = source.next();
         for (const Triangle& t : {line, point}) {
-            const Roots roots =
-                sheared(together(packet.rays), packet.longest_axis).intersect(t, together(packet.ranges));
+            const Roots roots = sheared(together(packet.rays)).intersect(t, together(packet.ranges));
             for (std::size_t i = 0; i < kLanes; ++i)
                 ASSERT_EQ(roots.is.bits() >> i & 1,
                           unsigned{intersect(t, packet.rays[i], packet.ranges[i]).has_value()})
@@ -123,9 +122,7 @@ TEST(PacketShapes, FacesOfMeshesWithTheirCulling) {
             special.points.insert(special.points.begin(), Vec3(0));  // from inside, too
             expect_same_roots(
                 "face", special,
-                [&](const Rays& rays, const Span& span, int axis) {
-                    return intersect(mesh, face, rays, sheared(rays, axis), span);
-                },
+                [&](const Rays& rays, const Span& span) { return intersect(mesh, face, rays, sheared(rays), span); },
                 [&](const Ray& ray, Interval range) { return rays::intersect(mesh, face, ray, range); }, kNoNormal,
                 1000);
         }
@@ -143,9 +140,7 @@ TEST(PacketShapes, InterpolatedNormals) {
     const auto check = [&] {
         expect_same_roots(
             "smooth triangle", special_of({t.triangle.a, t.triangle.b, t.triangle.c}),
-            [&](const Rays& rays, const Span& span, int axis) {
-                return sheared(rays, axis).intersect(t.triangle, span);
-            },
+            [&](const Rays& rays, const Span& span) { return sheared(rays).intersect(t.triangle, span); },
             [&](const Ray& ray, Interval range) { return rays::intersect(t, ray, range); }, normals(t), 1000);
     };
     check();
