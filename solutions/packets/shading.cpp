@@ -143,7 +143,25 @@ Mask has_first_color(const Scene& scene, const Pigment& pigment, const Vec3s& po
     return floor(half) == half;
 }
 
-void set_pigment(const Scene& scene, const Pigment& pigment, Surfaces& at) {
+bool is_one_opaque_color(const Pigment& pigment) { return !pigment.checker_other && !lets_light_through(pigment); }
+
+bool is_same(const std::uint32_t (&numbers)[kLanes]) {
+    return std::all_of(numbers, numbers + kLanes, [&](std::uint32_t n) { return n == numbers[0]; });
+}
+
+Radiances colors_of(const Scene& scene, const std::uint32_t (&materials)[kLanes]) {
+    alignas(32) float rgb[3][kLanes];
+    for (int i = 0; i < kLanes; ++i)
+        for (int c = 0; c < 3; ++c) rgb[c][i] = scene.materials[materials[i]].pigment.color.rgb[c];
+    return {Floats::load(rgb[0]), Floats::load(rgb[1]), Floats::load(rgb[2])};
+}
+
+void set_pigment(const Scene& scene, const std::uint32_t (&materials)[kLanes], Surfaces& at) {
+    const Pigment& pigment = scene.materials[materials[0]].pigment;
+    if (is_one_opaque_color(pigment) && !is_same(materials)) {
+        at.color = colors_of(scene, materials);
+        return;
+    }
     const Color& color = pigment.color;
     const Color& other = pigment.checker_other ? *pigment.checker_other : color;
     const Mask first = has_first_color(scene, pigment, at.point);
@@ -175,15 +193,32 @@ Radiances absorption(const Interior& interior, Reals distance) {
 Lamp::Lamp(const Light& light)
     : axis(axis_of(light)), full(one_minus_cos(light.radius_rad)), nothing(one_minus_cos(light.falloff_rad)) {}
 
+std::vector<std::uint32_t> look_alikes(const Scene& scene) {
+    constexpr std::size_t kMostCompared = 16;  // a scene of a hundred thousand looks is not worth comparing all
+    std::vector<std::uint32_t> alike(scene.materials.size()), looks;
+    for (std::uint32_t m = 0; m < alike.size(); ++m) {
+        const Material& material = scene.materials[m];
+        const auto is_alike = [&](std::uint32_t look) {
+            const Material& other = scene.materials[look];
+            const bool plain = is_one_opaque_color(material.pigment) && is_one_opaque_color(other.pigment);
+            return material.finish == other.finish && (plain || material.pigment == other.pigment);
+        };
+        const auto known = std::find_if(looks.rbegin(), looks.rend(), is_alike);
+        alike[m] = known == looks.rend() ? m : *known;
+        if (known == looks.rend() && looks.size() < kMostCompared) looks.push_back(m);
+    }
+    return alike;
+}
+
 Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
-                     const Material& material) {
+                     const std::uint32_t (&materials)[kLanes]) {
     Surfaces at;
     at.are = lanes;
     at.point = point;
     at.normal = select(dot(normal, to_viewer) < Reals(0.0), -normal, normal);
     at.to_viewer = to_viewer;
-    set_pigment(scene, material.pigment, at);
-    at.finish = &material.finish;
+    set_pigment(scene, materials, at);
+    at.finish = &scene.materials[materials[0]].finish;
     return at;
 }
 

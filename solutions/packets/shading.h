@@ -22,9 +22,13 @@ struct Surfaces {
     Number tree[kLanes] = {};  ///< the sample or pixel that it is seen by
 };
 
-/// Points of the same material; `normal` is turned to the viewer.
+/// For each material the number of one that looks like it: the same finish, and the same pigment or each one opaque
+/// colour of its own.
+std::vector<std::uint32_t> look_alikes(const Scene& scene);
+
+/// Points of materials that look alike; `normal` is turned to the viewer.
 Surfaces surfaces_at(const Scene& scene, Mask lanes, const Vec3s& point, const Vec3s& normal, const Vec3s& to_viewer,
-                     const Material& material);
+                     const std::uint32_t (&materials)[kLanes]);
 
 /// What of a light is the same for all points.
 struct Lamp {

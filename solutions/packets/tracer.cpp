@@ -55,6 +55,7 @@ Tracer::Tracer(const PacketIntersector& intersector, World& world)
       intersector_(intersector),
       world_(world),
       lamps_(world.scene.lights.begin(), world.scene.lights.end()),
+      look_alikes_(look_alikes(world.scene)),
       shadows_(intersector, world),
       has_exponents_(std::any_of(scene_.materials.begin(), scene_.materials.end(),
                                  [](const Material& m) { return m.finish.reflection.exponent != 1; })) {}
@@ -127,7 +128,7 @@ void Tracer::trace(std::size_t depth) {
     f.mirrors.count = f.clear.count = 0;
     meet(f);
     while (f.hits.count > 0) {
-        take_alike(f.hits, f.alike, [&](Number n) { return f.material[n]; });
+        take_alike(f.hits, f.alike, [&](Number n) { return look_alikes_[f.material[n]]; });
         light(f, f.alike);
     }
     if (f.clear.count > 0) go_through(depth);
@@ -221,14 +222,16 @@ void Tracer::meet(Frame& f) const {
         each_chunk_by_way(f.batch.direction, f.batch.count, meet_chunk);
 }
 
-/// Direct light of hits on the same material, and what becomes of their rays.
+/// Direct light of hits on materials that look alike, and what becomes of their rays.
 void Tracer::light(Frame& f, const Numbers& hits) {
     const Material& material = scene_.materials[f.material[hits.of[0]]];
     const Reflection& mirror = material.finish.reflection;
     const bool goes_on = lets_light_through(material.pigment) || !mirror.max.is_black() || !mirror.min.is_black();
     each_chunk(hits, [&](const Chunk& chunk) {
+        std::uint32_t materials[kLanes];
+        for (int i = 0; i < kLanes; ++i) materials[i] = f.material[chunk.of[i]];
         Surfaces at = surfaces_at(scene_, Mask::of(chunk.lanes), f.point.load(chunk), f.normal.load(chunk),
-                                  -f.batch.direction.load(chunk), material);
+                                  -f.batch.direction.load(chunk), materials);
         for (int i = 0; i < kLanes; ++i) at.object[i] = f.object[chunk.of[i]];
         if (samples_) {
             for (int i = 0; i < kLanes; ++i) at.tree[i] = f.batch.pixel[chunk.of[i]];

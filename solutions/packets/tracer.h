@@ -81,6 +81,7 @@ private:
     const PacketIntersector& intersector_;
     World& world_;
     const std::vector<Lamp> lamps_;
+    const std::vector<std::uint32_t> look_alikes_;  ///< of materials
     Shadows shadows_;
     bool has_exponents_;  ///< of mirrors
     std::vector<std::unique_ptr<Frame>> frames_;

@@ -19,6 +19,7 @@ struct Color {
     Radiance rgb;
     float filter = 0;
     float transmit = 0;
+    bool operator==(const Color&) const = default;
 };
 
 inline bool lets_light_through(const Color& c) { return c.filter != 0 || c.transmit != 0; }
@@ -28,6 +29,7 @@ struct Pigment {
     Color color{Radiance(0.0f)};
     std::optional<Color> checker_other;  ///< present: a checker; cubes with even floor(x)+floor(y)+floor(z) get `color`
     std::uint32_t transform = kNone;     ///< into Scene::transforms
+    bool operator==(const Pigment&) const = default;
 };
 
 inline bool lets_light_through(const Pigment& p) {
@@ -41,6 +43,7 @@ struct Reflection {
     float falloff = 1;   ///< exponent between min and max when not fresnel
     float exponent = 1;  ///< of the reflected brightness
     float metallic = 0;
+    bool operator==(const Reflection&) const = default;
 };
 
 struct Finish {
@@ -56,6 +59,7 @@ struct Finish {
     Reflection reflection;
     bool conserve_energy = false;
     float glossy = 0;  ///< > 0: the normal is tilted by chance, around the true one as cos^(1 / glossy) (step 5)
+    bool operator==(const Finish&) const = default;
 };
 
 /// What light meets on its way through a medium. All coefficients per unit length.

@@ -40,6 +40,7 @@ struct alignas(16) Radiance {
     friend constexpr Radiance operator*(Radiance a, const Radiance& b) { return a *= b; }
     friend constexpr Radiance operator*(Radiance a, float s) { return a *= s; }
     friend constexpr Radiance operator*(float s, Radiance a) { return a *= s; }
+    friend constexpr bool operator==(const Radiance&, const Radiance&) = default;
 
     constexpr bool is_black() const { return lane[0] == 0 && lane[1] == 0 && lane[2] == 0 && lane[3] == 0; }
     constexpr float largest() const { return std::max(std::max(lane[0], lane[1]), std::max(lane[2], lane[3])); }
