@@ -141,7 +141,9 @@ Chart tree_by_time(Laboratory& laboratory) {
     chart.id = "3.tree.time";
     chart.title = "Glass spheres: where the tree of rays is cut, against time";
     chart.text = fmt::format(
-        "max_trace_level with nothing else pruned, and adc_bailout at level {0}, 160 x 120 pixels, whole processes. "
+        "max_trace_level with adc_bailout 0 (Raysteps leaves out what could not bring 2^-24), and adc_bailout at level "
+        "{0}, "
+        "160 x 120 pixels, whole processes. "
         "Errors are differences to POV-Ray's picture at level {0} with nothing pruned. Depth alone costs "
         "exponentially; "
         "the threshold leaves out only branches that carry nothing.",
