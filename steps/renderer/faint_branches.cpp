@@ -19,18 +19,21 @@ bool is_grey(const Radiance& c) { return c[0] == c[1] && c[1] == c[2]; }
 
 bool is_negative(const Radiance& c) { return c[0] < 0 || c[1] < 0 || c[2] < 0; }
 
-/// Does the weight of a branch say how much it can bring? Not where exponents make much of little, nor where a lane is
-/// negative: the largest lane, POV-Ray's weight, may then be 0. 1 - reflectivity is negative where a mirror exceeds 1.
+/// Has all that this makes of light a bound, and does the weight of a branch tell of it? Not where exponents make much
+/// of little or cosines have negative powers; nor where a lane is negative: the largest lane, POV-Ray's weight, may
+/// then be 0. 1 - reflectivity is negative where a mirror exceeds 1.
 bool weights_tell(const Material& material) {
-    const Reflection& r = material.finish.reflection;
-    if (r.exponent != 1 || is_negative(r.min) || is_negative(r.max)) return false;
-    if (r.metallic != 0 && (r.metallic < 0 || r.metallic > 1)) return false;
+    const Finish& finish = material.finish;
+    const Reflection& r = finish.reflection;
+    if (r.exponent != 1 || !(r.falloff >= 0) || !(finish.phong_size >= 0)) return false;
+    if (is_negative(r.min) || is_negative(r.max) || !(r.metallic >= 0 && r.metallic <= 1)) return false;
     const auto tells = [&](const Color& c) { return c.filter >= 0 && c.transmit >= 0 && !is_negative(c.rgb); };
     const Pigment& pigment = material.pigment;
     if (!tells(pigment.color) || (pigment.checker_other && !tells(*pigment.checker_other))) return false;
-    const bool exceeds = std::max(largest(r.min), largest(r.max)) > 1 || r.metallic != 0;
-    return !(exceeds && material.finish.conserve_energy && lets_light_through(pigment));
+    const bool exceeds = std::max(largest(r.min), largest(r.max)) > 1 || r.metallic > 0;
+    return !(exceeds && finish.conserve_energy && lets_light_through(pigment));
 }
+bool is_bounded(const Light& light) { return light.tightness >= 0; }
 
 /// The most that a surface can make of light, over all lanes, places and directions.
 struct Most {
@@ -84,6 +87,7 @@ Most most_of(const Scene& scene, const Finish& finish, const Color& color, doubl
 }  // namespace
 
 double faintest_weight(const Scene& scene) {
+    if (!std::all_of(scene.lights.begin(), scene.lights.end(), is_bounded)) return 0;
     const double light = light_at_most(scene);
     const bool refracts =
         std::any_of(scene.interiors.begin(), scene.interiors.end(), [](const Interior& i) { return i.ior != 1; });

@@ -88,6 +88,15 @@ TEST(FaintBranches, NobodyKnowsWhatAContrastMakesOfLittle) {
     EXPECT_EQ(weight("sphere { 0, 1 finish { reflection 0.5 reflection_exponent 2 } }"), 0);
 }
 
+TEST(FaintBranches, NobodyKnowsHowLargeANegativePowerIs) {
+    const std::string glass = "sphere { 0, 1 " + kLossless + " }\n";
+    const std::string light = "light_source { 9, rgb 1 }\n";
+    EXPECT_GT(weight(glass + light + "plane { y, 0 finish { phong 1 } }"), 0);
+    EXPECT_EQ(weight(glass + light + "plane { y, 0 finish { phong 1 phong_size -1 } }"), 0);
+    EXPECT_EQ(weight(glass + light + "plane { y, 0 finish { reflection { 0, 0.5 falloff -1 } } }"), 0);
+    EXPECT_EQ(weight(glass + "light_source { 9, rgb 1 spotlight tightness -1 } plane { y, 0 }"), 0);
+}
+
 TEST(FaintBranches, ScenesWithoutBranchesLeaveNothingOut) {
     EXPECT_EQ(weight("sphere { 0, 1 pigment { rgb 1 } }"), 0);
     EXPECT_EQ(weight(""), 0);
