@@ -17,6 +17,11 @@ double largest(const Radiance& c) {
 }
 bool is_grey(const Radiance& c) { return c[0] == c[1] && c[1] == c[2]; }
 
+/// The largest lane of what comes through.
+double clear_of(const Color& c) { return double(c.filter) * largest(c.rgb) + double(c.transmit); }
+/// Filter and transmit are floats: 0.9 and 0.1 may make a little more than 1.
+constexpr double kShareOfAll = 1 + 1e-6;
+
 bool is_negative(const Radiance& c) { return c[0] < 0 || c[1] < 0 || c[2] < 0; }
 
 /// Has all that this makes of light a bound, and does the weight of a branch tell of it? Not where exponents make much
@@ -27,13 +32,19 @@ bool weights_tell(const Material& material) {
     const Reflection& r = finish.reflection;
     if (r.exponent != 1 || !(r.falloff >= 0) || !(finish.phong_size >= 0)) return false;
     if (is_negative(r.min) || is_negative(r.max) || !(r.metallic >= 0 && r.metallic <= 1)) return false;
-    const auto tells = [&](const Color& c) { return c.filter >= 0 && c.transmit >= 0 && !is_negative(c.rgb); };
+    const auto tells = [&](const Color& c) {
+        return c.filter >= 0 && c.transmit >= 0 && !is_negative(c.rgb) && clear_of(c) <= kShareOfAll;
+    };
     const Pigment& pigment = material.pigment;
     if (!tells(pigment.color) || (pigment.checker_other && !tells(*pigment.checker_other))) return false;
     const bool exceeds = std::max(largest(r.min), largest(r.max)) > 1 || r.metallic > 0;
     return !(exceeds && finish.conserve_energy && lets_light_through(pigment));
 }
 bool is_bounded(const Light& light) { return light.tightness >= 0; }
+/// Glass that fades to more than white makes light.
+bool is_bounded(const Interior& interior) {
+    return !(interior.fade_distance > 0) || (!is_negative(interior.fade_color) && largest(interior.fade_color) <= 1);
+}
 
 /// The most that a surface can make of light, over all lanes, places and directions.
 struct Most {
@@ -59,8 +70,9 @@ double metal_at_most(float metallic, double pigment) {
 /// Of one of a pigment's colours.
 Most most_of(const Scene& scene, const Finish& finish, const Color& color, double light, bool refracts) {
     const double pigment = largest(color.rgb);
-    const double opacity = std::abs(1 - double(color.filter) - double(color.transmit));
-    const double clear = double(color.filter) * pigment + double(color.transmit);
+    const double clear = clear_of(color);
+    // Before version 3.7 the filter counts by its colour (step 2's surface_at).
+    const double opacity = std::max(std::abs(1 - double(color.filter) - double(color.transmit)), std::abs(1 - clear));
     const Reflection& r = finish.reflection;
     const double metal = metal_at_most(r.metallic, pigment);
     const double mirrored = std::max(largest(r.min), largest(r.max)) * metal;
@@ -70,8 +82,7 @@ Most most_of(const Scene& scene, const Finish& finish, const Color& color, doubl
     const double highlights = std::abs(double(finish.phong)) + std::abs(double(finish.specular));
     most.sends = opacity * pigment * (ambient + std::abs(double(finish.diffuse)) * light) +
                  highlights * metal_at_most(finish.metallic, pigment) * light;
-    const bool shares = finish.conserve_energy && clear <= 1;
-    most.passes = shares ? clear + mirrored * (1 - clear) : clear + mirrored;
+    most.passes = finish.conserve_energy ? std::max(clear, clear + mirrored * (1 - clear)) : clear + mirrored;
     most.outweighs = metal;  // a mirror's weight is without the metal's tint
     if (clear > 0 && refracts) {
         // Total reflection passes all, whatever the tint; with fresnel and conserve_energy it has no tint left.
@@ -87,7 +98,10 @@ Most most_of(const Scene& scene, const Finish& finish, const Color& color, doubl
 }  // namespace
 
 double faintest_weight(const Scene& scene) {
-    if (!std::all_of(scene.lights.begin(), scene.lights.end(), is_bounded)) return 0;
+    const auto bounded = [](const auto& things) {
+        return std::all_of(things.begin(), things.end(), [](const auto& thing) { return is_bounded(thing); });
+    };
+    if (!bounded(scene.lights) || !bounded(scene.interiors)) return 0;
     const double light = light_at_most(scene);
     const bool refracts =
         std::any_of(scene.interiors.begin(), scene.interiors.end(), [](const Interior& i) { return i.ior != 1; });

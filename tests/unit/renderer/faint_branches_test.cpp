@@ -97,6 +97,19 @@ TEST(FaintBranches, NobodyKnowsHowLargeANegativePowerIs) {
     EXPECT_EQ(weight(glass + "light_source { 9, rgb 1 spotlight tightness -1 } plane { y, 0 }"), 0);
 }
 
+TEST(FaintBranches, NobodyKnowsHowMuchLightGlassMakes) {
+    const auto fades_to = [](const char* color) {
+        return std::string(
+                   "sphere { 0, 1 pigment { rgbt 1 } interior { fade_distance 1 fade_power 1001 fade_color rgb ") +
+               color + " } }";
+    };
+    EXPECT_GT(weight(fades_to("<0, 1, 1>")), 0);
+    EXPECT_EQ(weight(fades_to("<0, 1.1, 1>")), 0);
+    EXPECT_EQ(weight(fades_to("<0, -0.1, 1>")), 0);
+    EXPECT_GT(weight("sphere { 0, 1 pigment { rgbft <1, 0.5, 1, 0.9, 0.1> } }"), 0);
+    EXPECT_EQ(weight("sphere { 0, 1 pigment { rgbft <1, 0.5, 1, 0.9, 0.2> } }"), 0);
+}
+
 TEST(FaintBranches, ScenesWithoutBranchesLeaveNothingOut) {
     EXPECT_EQ(weight("sphere { 0, 1 pigment { rgb 1 } }"), 0);
     EXPECT_EQ(weight(""), 0);
