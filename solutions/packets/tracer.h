@@ -1,5 +1,5 @@
 // Step 3 for blocks of pixels: the trees of their rays grow level by level. What a level meets is lit together,
-// material by material; what it mirrors makes one batch of rays, what it lets through one for each medium.
+// look by look; what it mirrors makes one batch of rays, what it lets through one for each medium.
 #pragma once
 
 #include <memory>
