@@ -32,7 +32,9 @@ public:
     [[gnu::noinline]] unsigned blocked_below(wide::Child part, unsigned rays, std::uint32_t& suspect) {
         unsigned blocked = 0;
         each_lane(rays, [&](int i) {
-            auto& [ray, walk] = lane(i);
+            Lane& own = lane(i);  // no structured binding: Clang 14 does not let lambdas see one
+            const Ray& ray = own.ray;
+            wide::SingleWalk& walk = own.walk;
             const bool is_blocked = walk.template below<false>(part, [&](std::uint32_t primitive) {
                 if (!hierarchy_.tester.blocks(primitive, ray, asked_.range(i))) return false;
                 suspect = primitive;
@@ -47,7 +49,9 @@ public:
     [[gnu::noinline]] bool keep_nearer_below(wide::Child part, unsigned rays, Found& found) {
         bool nearer = false;
         each_lane(rays, [&](int i) {
-            auto& [ray, walk] = lane(i);
+            Lane& own = lane(i);  // no structured binding: Clang 14 does not let lambdas see one
+            const Ray& ray = own.ray;
+            wide::SingleWalk& walk = own.walk;
             Candidate best = candidate_of(found, i);
             if (best.primitive != kNone) walk.shorten(best.root.t);
             const std::uint32_t before = best.primitive;
