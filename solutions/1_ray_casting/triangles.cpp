@@ -20,24 +20,34 @@ namespace {
 /// origin and runs along +z, so the triangle problem is a point-in-triangle problem in the plane.
 class ShearedSpace {
 public:
-    explicit ShearedSpace(const Ray& ray) : origin_(ray.origin) {
+    explicit ShearedSpace(const Ray& ray) {
         const Vec3 size = glm::abs(ray.direction);
-        z_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        x_ = (z_ + 1) % 3;
-        y_ = (z_ + 2) % 3;
-        scale_ = 1 / ray.direction[z_];
-        shear_x_ = ray.direction[x_] * scale_;
-        shear_y_ = ray.direction[y_] * scale_;
+        z_ = size.y > size.x;  // without branches: rays that bounce go any way
+        z_ = size.z > std::max(size.x, size.y) ? 2 : z_;
+        static constexpr int kNext[4] = {1, 2, 0, 1};
+        x_ = kNext[z_];
+        y_ = kNext[z_ + 1];
+        origin_ = along_axes(ray.origin);
+        const Vec3 direction = along_axes(ray.direction);
+        scale_ = 1 / direction.z;
+        shear_x_ = direction.x * scale_;
+        shear_y_ = direction.y * scale_;
     }
 
     Vec3 from_world(const Vec3& point) const {
-        const Vec3 p = point - origin_;
-        return {p[x_] - shear_x_ * p[z_], p[y_] - shear_y_ * p[z_], scale_ * p[z_]};
+        const Vec3 p = along_axes(point) - origin_;
+        return {p.x - shear_x_ * p.z, p.y - shear_y_ * p.z, scale_ * p.z};
     }
 
 private:
-    Vec3 origin_;
+    /// From memory: operator[] of a vector decides component by component.
+    Vec3 along_axes(const Vec3& v) const {
+        const Real* const components = &v.x;
+        return {components[x_], components[y_], components[z_]};
+    }
+
     int x_, y_, z_;
+    Vec3 origin_;
     Real shear_x_, shear_y_, scale_;
 };
 
@@ -48,10 +58,20 @@ Real edge_function(const Vec3& a, const Vec3& b) { return a.x * b.y - a.y * b.x;
 /// a, b, c in sheared space.
 std::optional<Root> intersect_sheared(const Vec3& a, const Vec3& b, const Vec3& c, Interval range) {
     const Real wa = edge_function(b, c), wb = edge_function(c, a), wc = edge_function(a, b);
-    if ((wa < 0 || wb < 0 || wc < 0) && (wa > 0 || wb > 0 || wc > 0)) return std::nullopt;
-    const Real sum = wa + wb + wc;
-    const Root root{(wa * a.z + wb * b.z + wc * c.z) / sum, Vec2(wb, wc) / sum};  // edge-on: 0 / 0, in no interval
-    return range.contains(root.t) ? std::optional(root) : std::nullopt;
+    std::optional<Root> root;  // filled in place: who copies it at once waits for its parts
+    if (std::min({wa, wb, wc}) < 0 && std::max({wa, wb, wc}) > 0) return root;
+    const Real sum = wa + wb + wc, t = (wa * a.z + wb * b.z + wc * c.z) / sum;  // edge-on: 0 / 0, in no interval
+    if (range.contains(t)) {
+        root.emplace();
+        root->t = t;
+        root->uv = Vec2(wb, wc) / sum;
+    }
+    return root;
+}
+
+std::optional<Root> intersect(const Vec3& a, const Vec3& b, const Vec3& c, const Ray& ray, Interval range) {
+    const ShearedSpace space(ray);
+    return intersect_sheared(space.from_world(a), space.from_world(b), space.from_world(c), range);
 }
 
 }  // namespace
@@ -60,9 +80,7 @@ std::optional<Root> intersect_sheared(const Vec3& a, const Vec3& b, const Vec3& 
 std::optional<Root> intersect(const Triangle& triangle, const Ray& ray, Interval range) {
     //> 1.5 Where the ray meets the plane, and the weights of b and c there. Inside: no weight is negative.
     //>   Edges belong to the triangle: a ray through an edge of two triangles must hit at least one of them.
-    const ShearedSpace space(ray);
-    return intersect_sheared(space.from_world(triangle.a), space.from_world(triangle.b), space.from_world(triangle.c),
-                             range);
+    return intersect(triangle.a, triangle.b, triangle.c, ray, range);
     //< 1.5
 }
 
@@ -222,12 +240,13 @@ std::optional<Root> intersect(const Mesh& mesh, std::uint32_t face, const Ray& r
     //>   ask face by face and must find the same.
     const auto [ia, ib, ic] = mesh.faces[face].position;
     const Vec3 &a = mesh.positions[ia], &b = mesh.positions[ib], &c = mesh.positions[ic];
-    auto root = intersect(Triangle{a, b, c}, ray, range);
+    std::optional<Root> root = intersect(a, b, c, ray, range);
     if (!root) return root;
     if (mesh.outward_winding != 0 && back_facing(cross(b - a, c - a), Real(mesh.outward_winding) * ray.direction) &&
         !contains(mesh.bound, ray.at(range.min)))
-        return std::nullopt;
-    root->part = face;
+        root.reset();
+    else
+        root->part = face;
     return root;
     //< 1.14
 }

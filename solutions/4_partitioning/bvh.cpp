@@ -37,7 +37,8 @@ public:
             last = primitive;
             return true;
         };
-        return walk<false>(ray, range, {}, [&](SingleWalk&, std::uint32_t i) { return blocks(i); }) ||
+        if (looks_back(range)) return any_of_all(blocks);
+        return (!tree_.nodes.empty() && SingleWalk(tree_, ray, range).any_below(tree_.root(), blocks)) ||
                std::any_of(unbounded_.begin(), unbounded_.end(), blocks);
     }
 
@@ -55,13 +56,21 @@ private:
     std::optional<Hit> find_nearest(const Ray& ray, Interval range) const override {
         if (!is_ray(ray)) return std::nullopt;
         Candidate best;
-        for (const std::uint32_t i : unbounded_) tester_.keep_nearer(i, ray, range, best);
-        walk<true>(ray, range, best, [&](SingleWalk& walk, std::uint32_t primitive) {
-            const std::uint32_t before = best.primitive;
-            tester_.keep_nearer(primitive, ray, range, best);
-            if (best.primitive != before) walk.shorten(best.root.t);
-            return false;
-        });
+        const auto keep_nearer = [&](std::uint32_t primitive) { tester_.keep_nearer(primitive, ray, range, best); };
+        if (looks_back(range)) {
+            any_of_all([&](std::uint32_t primitive) { return keep_nearer(primitive), false; });
+            return tester_.complete(ray, best);
+        }
+        for (const std::uint32_t primitive : unbounded_) keep_nearer(primitive);
+        if (!tree_.nodes.empty()) {
+            SingleWalk walk(tree_, ray, range);
+            if (best.primitive != kNone) walk.shorten(best.root.t);
+            walk.nearest_below(tree_.root(), [&](std::uint32_t primitive) {
+                const std::uint32_t before = best.primitive;
+                keep_nearer(primitive);
+                if (best.primitive != before) walk.shorten(best.root.t);
+            });
+        }
         return tester_.complete(ray, best);
     }
 
@@ -72,22 +81,12 @@ private:
         return blocked(ray, range, last.primitive);
     }
 
-    /// Asks the primitives that the ray may meet until ask(walk, primitive) says enough; near boxes first, when sorted.
-    template <bool sorted, class Ask>
-    bool walk(const Ray& ray, Interval range, const Candidate& best, const Ask& ask) const {
-        if (tree_.nodes.empty()) return false;
-        SingleWalk walk(tree_, ray, range);
-        if (range.min < 0) return ask_all(walk, ask);
-        if (best.primitive != kNone) walk.shorten(best.root.t);
-        return walk.below<sorted>(Child(Child::Kind::node, 0),
-                                  [&](std::uint32_t primitive) { return ask(walk, primitive); });
-    }
-
-    /// Boxes are for rays that go forward. Whoever looks back is rare enough to be asked everything.
+    /// Boxes are for rays that go forward. Whoever looks back is rare enough to ask everybody.
+    static bool looks_back(Interval range) { return range.min < 0; }
     template <class Ask>
-    bool ask_all(SingleWalk& walk, const Ask& ask) const {
-        for (std::uint32_t i = 0; i < tester_.size(); ++i)
-            if (ask(walk, i)) return true;
+    bool any_of_all(const Ask& ask) const {
+        for (std::uint32_t primitive = 0; primitive < tester_.size(); ++primitive)
+            if (ask(primitive)) return true;
         return false;
     }
 

@@ -35,7 +35,7 @@ public:
             Lane& own = lane(i);  // no structured binding: Clang 14 does not let lambdas see one
             const Ray& ray = own.ray;
             wide::SingleWalk& walk = own.walk;
-            const bool is_blocked = walk.template below<false>(part, [&](std::uint32_t primitive) {
+            const bool is_blocked = walk.any_below(part, [&](std::uint32_t primitive) {
                 if (!hierarchy_.tester.blocks(primitive, ray, asked_.range(i))) return false;
                 suspect = primitive;
                 return true;
@@ -55,11 +55,10 @@ public:
             Candidate best = candidate_of(found, i);
             if (best.primitive != kNone) walk.shorten(best.root.t);
             const std::uint32_t before = best.primitive;
-            walk.template below<true>(part, [&](std::uint32_t primitive) {
+            walk.nearest_below(part, [&](std::uint32_t primitive) {
                 const std::uint32_t previous = best.primitive;
                 hierarchy_.tester.keep_nearer(primitive, ray, asked_.range(i), best);
                 if (best.primitive != previous) walk.shorten(best.root.t);
-                return false;
             });
             if (best.primitive != before)
                 nearer |= found.keep_nearer(in_lane(best, i), Mask::of(1u << i), best.primitive);

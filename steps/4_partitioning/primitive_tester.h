@@ -82,8 +82,13 @@ inline void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray
     if (best.primitive != kNone && !d.iterated) range.max = just_above(best.root.t);
     const auto root = ask(d, ray, range);
     if (!root) return;
-    if (best.primitive == kNone || root->t < best.root.t || (root->t == best.root.t && primitive < best.primitive))
-        best = {*root, primitive};
+    if (best.primitive == kNone || root->t < best.root.t || (root->t == best.root.t && primitive < best.primitive)) {
+        // Part by part, as it has just been written: whoever loads it whole waits for its parts.
+        best.root.t = root->t;
+        best.root.uv = root->uv;
+        best.root.part = root->part;
+        best.primitive = primitive;
+    }
 }
 
 inline bool PrimitiveTester::blocks(std::uint32_t primitive, const Ray& ray, Interval range) const {

@@ -40,22 +40,32 @@ private:
 class BoxRay {
 public:
     BoxRay(const Ray& ray, Interval range) {
+        const __m128 origin = in_lanes(ray.origin, 0), direction = in_lanes(ray.direction, 1);
+        const __m128 sign_bit = _mm_set1_ps(-0.0f), sign = _mm_and_ps(direction, sign_bit);
+        const auto clamped = [](__m128 v) {
+            return _mm_min_ps(_mm_max_ps(v, _mm_set1_ps(-kMaxFloat)), _mm_set1_ps(kMaxFloat));
+        };
+        const __m128 inverse = clamped(_mm_div_ps(_mm_set1_ps(1), direction));
+        // As above() and below(): one unit in the last place and more, forwards.
+        const __m128 ulp = _mm_add_ps(_mm_mul_ps(_mm_andnot_ps(sign_bit, origin), _mm_set1_ps(0x1p-23f)),
+                                      _mm_set1_ps(std::numeric_limits<float>::denorm_min()));
+        const __m128 forward = _mm_xor_ps(ulp, sign);
+        spread(_mm_mul_ps(inverse, _mm_set1_ps(1 - kSlack)), near_inverse_);
+        spread(clamped(_mm_mul_ps(inverse, _mm_set1_ps(1 + kSlack))), far_inverse_);
+        spread(_mm_add_ps(origin, forward), near_origin_);
+        spread(_mm_sub_ps(origin, forward), far_origin_);
+        const auto backward = static_cast<unsigned>(_mm_movemask_ps(direction));
         for (int a = 0; a < 3; ++a) {
-            const auto d = static_cast<float>(ray.direction[a]);
-            const bool is_positive = !std::signbit(d);
-            near_planes_[a] = is_positive ? Boxes::lower(a) : Boxes::upper(a);
-            far_planes_[a] = is_positive ? Boxes::upper(a) : Boxes::lower(a);
-            const float inverse = std::clamp(1 / d, -kMaxFloat, kMaxFloat);
-            near_inverse_[a] = _mm256_set1_ps(inverse * (1 - kSlack));
-            far_inverse_[a] = _mm256_set1_ps(std::clamp(inverse * (1 + kSlack), -kMaxFloat, kMaxFloat));
-            near_origin_[a] = _mm256_set1_ps(is_positive ? above(ray.origin[a]) : below(ray.origin[a]));
-            far_origin_[a] = _mm256_set1_ps(is_positive ? below(ray.origin[a]) : above(ray.origin[a]));
+            const std::size_t is_backward = backward >> a & 1;
+            near_planes_[a] = Boxes::lower(a) + is_backward * Boxes::upper(0);
+            far_planes_[a] = Boxes::upper(a) - is_backward * Boxes::upper(0);
         }
         near_ = _mm256_set1_ps(std::max(0.0f, below(range.min)));
         shorten(range.max);
     }
 
-    void shorten(Real t) { far_ = _mm256_set1_ps(t < kMaxFloat ? above(t) : kMaxFloat); }
+    void shorten(Real t) { end_at(t < kMaxFloat ? above(t) : kMaxFloat); }
+    void end_at(float t) { far_ = _mm256_set1_ps(t); }
 
     /// A bit for each box that the ray meets; where it enters, in `enters`.
     unsigned meets(const Boxes& boxes, float (&enters)[kWidth]) const {
@@ -76,6 +86,15 @@ public:
     }
 
 private:
+    static __m128 in_lanes(const Vec3& v, float fourth) {
+        return _mm_setr_ps(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), fourth);
+    }
+    static void spread(__m128 xyz, __m256 (&axes)[3]) {
+        axes[0] = _mm256_broadcastss_ps(xyz);
+        axes[1] = _mm256_broadcastss_ps(_mm_movehdup_ps(xyz));
+        axes[2] = _mm256_broadcastss_ps(_mm_movehl_ps(xyz, xyz));
+    }
+
     static constexpr float kSlack = 0x1p-20f;  ///< three roundings of 2^-24 each, and some
     __m256 near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3], near_, far_;
     std::size_t near_planes_[3], far_planes_[3];

@@ -1,6 +1,6 @@
-// What lies in a leaf, eight triangles, spheres or cones side by side, in float: one pass tells which of them a ray may
-// meet, and only those are asked in Real. A block never hides a root: what rounding may have done is added up and
-// allowed for. It also spares the memory: of what is not met, nothing but the block is read.
+// What lies in a leaf, eight triangles (triangle_block.h), spheres or cones side by side, in float: one pass tells which
+// of them a ray may meet, and only those are asked in Real. A block never hides a root: what rounding may have done is
+// added up and allowed for. It also spares the memory: of what is not met, nothing but the block is read.
 #pragma once
 
 #include <immintrin.h>
@@ -11,17 +11,11 @@
 
 #include "4_partitioning/beyond/box_ray.h"
 #include "4_partitioning/beyond/float_box.h"
+#include "4_partitioning/beyond/triangle_block.h"
 
 namespace rays::wide {
 
 // ---- What a block holds ---------------------------------------------------------------------------------------------
-
-struct alignas(32) TriangleBlock {
-    float corner[3][3][kWidth] = {};  ///< corner, axis, lane
-    std::uint32_t primitive[kWidth] = {};
-    std::uint32_t count = 0;
-    float reach = 0;  ///< no coordinate is larger
-};
 
 struct alignas(32) SphereBlock {
     float center[3][kWidth] = {};
@@ -63,27 +57,6 @@ inline LeafKind leaf_kind(const Scene& scene, Primitive p) {
     }
 }
 
-/// The corners of a primitive of the kind `triangles`.
-inline Triangle triangle_of(const Scene& scene, Primitive p) {
-    const Object& object = scene.objects[p.object];
-    if (object.kind == ShapeKind::triangle) return scene.triangles[object.shape];
-    if (object.kind == ShapeKind::smooth_triangle) return scene.smooth_triangles[object.shape].triangle;
-    const Mesh& mesh = scene.meshes[object.shape];
-    const auto [a, b, c] = mesh.faces[p.part].position;
-    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-}
-
-inline void put(TriangleBlock& block, const Triangle& triangle, std::uint32_t primitive) {
-    const std::uint32_t lane = block.count++;
-    block.primitive[lane] = primitive;
-    const Vec3* corners[3] = {&triangle.a, &triangle.b, &triangle.c};
-    for (int c = 0; c < 3; ++c)
-        for (int a = 0; a < 3; ++a) {
-            block.corner[c][a][lane] = static_cast<float>((*corners[c])[a]);
-            block.reach = std::max(block.reach, above(std::abs((*corners[c])[a])));
-        }
-}
-
 inline void put(SphereBlock& block, const Sphere& sphere, std::uint32_t primitive) {
     const std::uint32_t lane = block.count++;
     block.primitive[lane] = primitive;
@@ -109,66 +82,6 @@ inline void put(ConeBlock& block, const Sphere& sphere, std::uint32_t primitive)
 }
 
 // ---- Which of them a ray may meet -----------------------------------------------------------------------------------
-
-/// A ray as blocks of triangles see it: sheared so that it runs along one axis (Woop, Benthin, Wald, 2013).
-class TriangleRay {
-public:
-    TriangleRay(const Ray& ray, Interval range) {
-        const Vec3 size = glm::abs(ray.direction);
-        z_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        x_ = (z_ + 1) % 3;
-        y_ = (z_ + 2) % 3;
-        const Real scale = 1 / ray.direction[z_];
-        for (int a = 0; a < 3; ++a) {
-            origin_[a] = static_cast<float>(ray.origin[a]);
-            reach_ = std::max(reach_, std::abs(origin_[a]));
-        }
-        shear_x_ = static_cast<float>(ray.direction[x_] * scale);
-        shear_y_ = static_cast<float>(ray.direction[y_] * scale);
-        scale_ = static_cast<float>(scale);
-        near_ = below(range.min);
-    }
-
-    /// A bit for each lane whose triangle may have a root between the ray's near end and `far`.
-    unsigned may_meet(const TriangleBlock& block, float far) const {
-        // Of a sheared coordinate: corner and origin were rounded, and each operation rounds once more: ten times half
-        // a unit in the last place of what went in, at most; here sixteen.
-        const float off = 0x1p-20f * (block.reach + reach_);
-        const __m256 abs_mask = _mm256_castsi256_ps(_mm256_set1_epi32(0x7fffffff));
-        const __m256 ox = _mm256_set1_ps(origin_[x_]), oy = _mm256_set1_ps(origin_[y_]),
-                     oz = _mm256_set1_ps(origin_[z_]);
-        const __m256 sx = _mm256_set1_ps(shear_x_), sy = _mm256_set1_ps(shear_y_), sz = _mm256_set1_ps(scale_);
-        __m256 x[3], y[3], t[3];
-        for (int c = 0; c < 3; ++c) {
-            const __m256 z = _mm256_sub_ps(_mm256_load_ps(block.corner[c][z_]), oz);
-            x[c] = _mm256_fnmadd_ps(sx, z, _mm256_sub_ps(_mm256_load_ps(block.corner[c][x_]), ox));
-            y[c] = _mm256_fnmadd_ps(sy, z, _mm256_sub_ps(_mm256_load_ps(block.corner[c][y_]), oy));
-            t[c] = _mm256_mul_ps(sz, z);
-        }
-        const auto edge = [&](int i, int j) { return _mm256_fmsub_ps(x[i], y[j], _mm256_mul_ps(y[i], x[j])); };
-        const __m256 a = edge(1, 2), b = edge(2, 0), c = edge(0, 1);
-        __m256 size = _mm256_setzero_ps();
-        for (int i = 0; i < 3; ++i)
-            size = _mm256_max_ps(size, _mm256_max_ps(_mm256_and_ps(x[i], abs_mask), _mm256_and_ps(y[i], abs_mask)));
-        // Of an edge function: off times the sum of its four coordinates, and the roundings of its own, which are less.
-        const __m256 allowed = _mm256_fmadd_ps(_mm256_set1_ps(5 * off), size, _mm256_set1_ps(2 * off * off));
-        const __m256 least = _mm256_min_ps(a, _mm256_min_ps(b, c)), most = _mm256_max_ps(a, _mm256_max_ps(b, c));
-        const __m256 outside =
-            _mm256_and_ps(_mm256_cmp_ps(least, _mm256_sub_ps(_mm256_setzero_ps(), allowed), _CMP_LT_OQ),
-                          _mm256_cmp_ps(most, allowed, _CMP_GT_OQ));
-        const float off_t = std::abs(scale_) * off;
-        const __m256 first = _mm256_min_ps(t[0], _mm256_min_ps(t[1], t[2]));
-        const __m256 last = _mm256_max_ps(t[0], _mm256_max_ps(t[1], t[2]));
-        const __m256 beyond = _mm256_or_ps(_mm256_cmp_ps(first, _mm256_set1_ps(far + off_t), _CMP_GT_OQ),
-                                           _mm256_cmp_ps(last, _mm256_set1_ps(near_ - off_t), _CMP_LT_OQ));
-        return ~static_cast<unsigned>(_mm256_movemask_ps(_mm256_or_ps(outside, beyond))) & ((1u << block.count) - 1);
-    }
-
-private:
-    int x_, y_, z_;
-    std::array<float, 3> origin_;
-    float reach_ = 0, shear_x_, shear_y_, scale_, near_;
-};
 
 /// A ray as blocks of spheres see it: how far it passes by their centres.
 class SphereRay {

@@ -18,28 +18,39 @@ public:
         far_ = range.max < kMaxFloat ? above(range.max) : kMaxFloat;
     }
 
-    /// From now on nothing behind t counts.
+    /// Somebody has a root at t: nothing behind it counts any more.
     void shorten(Real t) {
-        box_ray_.shorten(t);
-        far_ = above(t);
+        found_ = t;
+        end_at(std::min(far_, above(t)));
     }
 
     /// Asks the primitives below `from` that the ray may meet until ask(primitive) says enough, and says whether it
-    /// did; near boxes first, when sorted.
-    template <bool sorted, class Ask>
-    bool below(Child from, const Ask& ask) {
-        Stack stack;
-        for (Waiting next(0, from.bits());;) {
-            if (descend<sorted>(next, stack)) {
-                if (effort && effort->visited) [[unlikely]]
-                    watch(Child(next.what()));
-                if (ask_leaf(Child(next.what()), ask)) return true;
-            }
-            do {
-                if (stack.size == 0) return false;
-                next = stack.waiting[--stack.size];
-            } while (next.enters() > far_);
-        }
+    /// did.
+    template <class Ask>
+    bool any_below(Child from, const Ask& ask) {
+        return visit<false>(from, ask);
+    }
+
+    /// Asks all primitives below `from` that may have the nearest root, near boxes first; ask(primitive) shortens.
+    ///
+    /// Triangles are asked last of all. A block that is certain of a root ends the walk there at once, and while the
+    /// walk goes on, what the question needs is fetched: among millions, asking takes longer than the block. If nobody
+    /// turns out to have a root where a block was certain (a clip, a back face, a student's own triangles), everything
+    /// is asked once more, by blocks that are certain of nothing.
+    template <class Ask>
+    void nearest_below(Child from, const Ask& ask) {
+        const auto all = [&] {
+            visit<true>(from, [&](std::uint32_t primitive) { return ask(primitive), false; });
+            ask_postponed(ask);
+        };
+        const float before = far_;
+        certain_until_ = kMaxFloat;
+        all();
+        if (certain_until_ == kMaxFloat || found_ <= certain_until_) return;
+        end_at(std::min(before, above(found_)));
+        is_trusting_ = false;
+        all();
+        is_trusting_ = true;
     }
 
 private:
@@ -47,6 +58,33 @@ private:
         Waiting waiting[kMostWaiting];
         int size = 0;
     };
+    /// A triangle that is still to be asked, and where its root is at the earliest.
+    struct Postponed {
+        float earliest;
+        std::uint32_t primitive;
+    };
+    static constexpr int kMostPostponed = 8;
+
+    void end_at(float far) {
+        far_ = far;
+        box_ray_.end_at(far);
+    }
+
+    template <bool sorted, class Ask>
+    bool visit(Child from, const Ask& ask) {
+        Stack stack;
+        for (Waiting next(0, from.bits());;) {
+            if (descend<sorted>(next, stack)) {
+                if (effort && effort->visited) [[unlikely]]
+                    watch(Child(next.what()));
+                if (ask_leaf<sorted>(Child(next.what()), ask)) return true;
+            }
+            do {
+                if (stack.size == 0) return false;
+                next = stack.waiting[--stack.size];
+            } while (next.enters() > far_);
+        }
+    }
 
     /// Down from `next` to a leaf, always to the nearest child when sorted; the other children that the ray meets wait
     /// on the stack, nearer ones on top. False when it meets no leaf: then there is nothing in hand.
@@ -91,11 +129,12 @@ private:
             }
     }
 
-    template <class Ask>
+    template <bool sorted, class Ask>
     bool ask_leaf(Child leaf, const Ask& ask) {
         const auto in = [&](const auto& blocks) -> const auto& { return blocks[leaf.place()]; };
         switch (leaf.kind()) {
             case Child::Kind::triangles:
+                if constexpr (sorted) return postpone(in(tree_.triangles), ask), false;
                 return ask_block(in(tree_.triangles), in(tree_.triangles).primitive, triangle_ray_, ask);
             case Child::Kind::spheres:
                 return ask_block(in(tree_.spheres), in(tree_.spheres).primitive, sphere_ray_, ask);
@@ -117,11 +156,41 @@ private:
         return false;
     }
 
+    template <class Ask>
+    void postpone(const TriangleBlock& block, const Ask& ask) {
+        if (!triangle_ray_) triangle_ray_.emplace(ray_, range_);
+        const TriangleRoots roots = triangle_ray_->roots(block, far_);
+        for (unsigned mask = roots.may; mask != 0; mask &= mask - 1) {
+            const int i = std::countr_zero(mask);
+            if (postponed_count_ == kMostPostponed) ask_postponed(ask);
+            postponed_[postponed_count_++] = {roots.earliest[i], block.primitive[i]};
+            tree_.fetch(block, i);
+            if (is_trusting_ && (roots.must >> i & 1) && roots.latest[i] < far_) {
+                certain_until_ = roots.latest[i];
+                end_at(certain_until_);
+            }
+        }
+    }
+
+    /// The last first: it ended the walk.
+    template <class Ask>
+    void ask_postponed(const Ask& ask) {
+        while (postponed_count_ > 0) {
+            const Postponed next = postponed_[--postponed_count_];
+            if (next.earliest <= far_) ask(next.primitive);
+        }
+    }
+
     const Tree& tree_;
     const Ray& ray_;
     Interval range_;
     BoxRay box_ray_;
     float far_;
+    Real found_ = kInfinity;
+    float certain_until_ = kMaxFloat;  ///< the latest that the root can be of which blocks are certain
+    bool is_trusting_ = true;          ///< believes them
+    int postponed_count_ = 0;
+    Postponed postponed_[kMostPostponed];  // without values: those up to the count have them
     std::optional<TriangleRay> triangle_ray_;
     std::optional<SphereRay> sphere_ray_;
 };

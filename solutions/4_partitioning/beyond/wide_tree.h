@@ -63,6 +63,9 @@ struct Tree {
     LargeVector<TriangleBlock> triangles;
     LargeVector<SphereBlock> spheres;
     LargeVector<ConeBlock> cones;
+    const PrimitiveTester::Dispatch* dispatch = nullptr;  ///< of all primitives
+
+    static Child root() { return {Child::Kind::node, 0}; }
 
     /// Among millions, what a ray meets is waited for: asked for all at once, it comes side by side. In line, because
     /// GCC drops calls of functions that do nothing but this.
@@ -74,6 +77,13 @@ struct Tree {
             case Child::Kind::cones: return fetch(cones[child.place()]);
             case Child::Kind::list: return;
         }
+    }
+
+    /// What asking a triangle begins with.
+    [[gnu::always_inline]] void fetch(const TriangleBlock& block, int lane) const {
+        const std::uint32_t primitive = block.primitive[lane];
+        __builtin_prefetch(dispatch + primitive);
+        if (block.faces) __builtin_prefetch(block.faces + (primitive - block.first_face));
     }
 
 private:
@@ -103,6 +113,7 @@ public:
     Tree collapsed() {
         Tree tree;
         if (!items_.empty()) {
+            tree.dispatch = &tester_.dispatch(0);
             plan(0);
             collapse(0, tree);
         }
@@ -313,7 +324,18 @@ private:
             else if constexpr (std::is_same_v<Block, ConeBlock>)
                 put(block, tester_.scene().cones[shape], primitive);
         }
+        if constexpr (std::is_same_v<Block, TriangleBlock>) set_faces(block);
         return blocks.size() - 1;
+    }
+
+    void set_faces(TriangleBlock& block) const {
+        const auto of = [&](std::uint32_t lane) { return tester_.primitive(block.primitive[lane]); };
+        const Object& object = tester_.scene().objects[of(0).object];
+        if (object.kind != ShapeKind::mesh) return;
+        for (std::uint32_t lane = 1; lane < block.count; ++lane)
+            if (of(lane).object != of(0).object) return;
+        block.faces = tester_.scene().meshes[object.shape].faces.data();
+        block.first_face = block.primitive[0] - of(0).part;
     }
 
     const PrimitiveTester& tester_;

@@ -148,6 +148,22 @@ private:
             ASSERT_TRUE(met >> i & 1) << name << ", lane " << i << text(ray, range, root->t);
             ASSERT_TRUE(up_to_it >> i & 1) << name << ", up to the root, lane " << i << text(ray, range, root->t);
         }
+        if constexpr (requires { block_ray.roots(block_, end); }) {
+            ASSERT_NO_FATAL_FAILURE(expect_bounds(name, ray, range, block_ray.roots(block_, end)));
+        }
+    }
+    /// What a block says about the roots that it is certain of, and of those that it is not.
+    void expect_bounds(const std::string& name, const Ray& ray, Interval range, const wide::TriangleRoots& bounds) {
+        for (std::size_t i = 0; i < shapes_.size(); ++i) {
+            const auto root = std::visit([&](const auto& shape) { return intersect(shape, ray, range); }, shapes_[i]);
+            if ((bounds.must >> i & 1) && bounds.latest[i] < range.max) {
+                ASSERT_TRUE(root) << name << ", lane " << i << " has no root, " << test::text(ray, range);
+                ASSERT_LE(root->t, bounds.latest[i]) << name << ", lane " << i << ", " << test::text(ray, range);
+            }
+            if (root) {
+                ASSERT_GE(root->t, bounds.earliest[i]) << name << ", lane " << i << ", " << test::text(ray, range);
+            }
+        }
     }
     static std::string text(const Ray& ray, Interval range, Real t) {
         return fmt::format(", {}: a root at {:.17g} is hidden", test::text(ray, range), t);
@@ -290,6 +306,60 @@ TEST_F(BlocksHideNoRoot, OfSpheresAmongCones) {
             return Sphere{c.in_cube(3), c.order(Real(0.01), 1)};
         },
         0.4);
+}
+
+class BlocksOfOneTriangle : public testing::Test {
+protected:
+    struct Aim {
+        wide::TriangleBlock block;
+        Vec3 point;   ///< somewhere on the triangle
+        Vec3 normal;  ///< of unit length
+    };
+    Aim aim() {
+        const Vec3 corner = chance.in_cube(3);
+        const Triangle t{corner, corner + chance.direction(), corner + chance.direction()};
+        const Real b = chance.unit(), c = (1 - b) * chance.unit();
+        Aim result{{}, (1 - b - c) * t.a + b * t.b + c * t.c, glm::normalize(glm::cross(t.b - t.a, t.c - t.a))};
+        wide::put(result.block, t, 0);
+        return result;
+    }
+
+    Chance chance{6};
+    static constexpr int kRays = 2000;
+};
+
+TEST_F(BlocksOfOneTriangle, SpareItToARayThatLeavesIt) {
+    // Corners lie on both sides of the ray's start: depths alone tell nothing.
+    int met = 0;
+    for (int n = 0; n < kRays; ++n) {
+        const Aim from = aim();
+        const Ray away{from.point + Real(1e-4) * from.normal, from.normal + Real(0.9) * chance.direction()};
+        met += std::popcount(wide::TriangleRay(away, {Real(1e-4), kInfinity}).may_meet(from.block, wide::kMaxFloat));
+    }
+    EXPECT_LT(met, kRays / 50);
+}
+
+TEST_F(BlocksOfOneTriangle, SpareItToARayThatEndsBeforeIt) {
+    int met = 0;
+    for (int n = 0; n < kRays; ++n) {
+        const Aim at = aim();
+        const Vec3 way = at.normal + Real(0.9) * chance.direction();
+        const wide::TriangleRay ray({at.point - way, way}, {0, 1});
+        met += std::popcount(ray.may_meet(at.block, 1 - 1e-3f));
+    }
+    EXPECT_LT(met, kRays / 50);
+}
+
+TEST_F(BlocksOfOneTriangle, AreCertainOfWhatIsPlain) {
+    int certain = 0;
+    for (int n = 0; n < kRays; ++n) {
+        const Aim at = aim();
+        const Vec3 way = at.normal + Real(0.9) * chance.direction();
+        const wide::TriangleRoots roots =
+            wide::TriangleRay({at.point - way, way}, {0, kInfinity}).roots(at.block, wide::kMaxFloat);
+        certain += roots.must == 1 && roots.latest[0] - roots.earliest[0] < 1e-2f;
+    }
+    EXPECT_GT(certain, kRays - kRays / 50);
 }
 
 TEST(Blocks, OfThinConesLookAtMoreThanTheirBalls) {

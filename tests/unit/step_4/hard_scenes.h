@@ -79,6 +79,16 @@ inline const std::vector<HardScene>& hard_scenes() {
          "sphere { <1e6, 0, 0>, 1e5 } #for (I, 1, 200) sphere { <rand(R), rand(R), rand(R)>, 0.1 * rand(R) } #end\n"},
         {"shadowless_half",
          "#for (I, 1, 200) sphere { <rand(R), rand(R), rand(R)> * 5, 0.3 #if (mod(I, 2)) no_shadow #end } #end\n"},
+        {"torn_meshes",  // a face that is certainly there, were it not for its clip or for its back
+         "#for (I, 1, 30) #local P = <rand(R), rand(R), rand(R)> * 6;\n"
+         "#local C = <rand(R) - 0.5, rand(R) - 0.5, rand(R) - 0.5>;\n"
+         "mesh { #for (J, 0, 9) #local A = <rand(R), rand(R), rand(R)> * 2;\n"
+         "triangle { P + A, P + A + <rand(R), 0.2, 0>, P + A + <0, rand(R), rand(R)> } #end\n"
+         "clipped_by { plane { C, vdot(P + 1, vnormalize(C)) } } }\n"
+         "triangle { P, P + <2, 0, 0.3>, P + <0, 2, rand(R)> clipped_by { plane { C, vdot(P, vnormalize(C)) + 0.3 } } "
+         "}\n"
+         "mesh { triangle { P, P + x, P + y } triangle { P, P + y, P + z } triangle { P, P + z, P + x }\n"
+         "triangle { P + x, P + z, P + y } } #end\n"},
     };
     return scenes;
 }
