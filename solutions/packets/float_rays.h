@@ -57,7 +57,11 @@ public:
         const __m256 met = _mm256_cmp_ps(beside2, reaches * reaches, _CMP_NGT_UQ);
         const __m256 before_far = _mm256_cmp_ps(to.along - reaches, far_, _CMP_NGT_UQ);
         const __m256 behind_near = _mm256_cmp_ps(to.along + reaches, near_, _CMP_NLT_UQ);
-        return static_cast<unsigned>(_mm256_movemask_ps(_mm256_and_ps(met, _mm256_and_ps(before_far, behind_near))));
+        const unsigned balls =
+            static_cast<unsigned>(_mm256_movemask_ps(_mm256_and_ps(met, _mm256_and_ps(before_far, behind_near))));
+        if (balls == 0) return 0;
+        return balls & ~wide::left_before(near_, to.along, beside2, _mm256_broadcast_ss(&block.radius[i]),
+                                          block.reach + reach_);
     }
     unsigned rays_that_meet(const wide::ConeBlock& block, int i) const {
         const unsigned balls = rays_that_meet(block.around, i);

@@ -12,6 +12,9 @@
 namespace rays::wide {
 
 inline constexpr float kMaxFloat = std::numeric_limits<float>::max();
+/// u: what a rounding changes at most, relatively. When Real is float itself, what is asked afterwards is rounded as
+/// well.
+inline constexpr float kU = sizeof(Real) < sizeof(double) ? 0x1p-22f : 0x1p-24f;
 
 // One unit in the last place and more, without a call of nextafter: this is done for every ray.
 inline float below(Real v) {

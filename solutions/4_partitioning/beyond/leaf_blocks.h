@@ -1,6 +1,6 @@
-// What lies in a leaf, eight triangles (triangle_block.h), spheres or cones side by side, in float: one pass tells which
-// of them a ray may meet, and only those are asked in Real. A block never hides a root: what rounding may have done is
-// added up and allowed for. It also spares the memory: of what is not met, nothing but the block is read.
+// What lies in a leaf, eight triangles (triangle_block.h), spheres or cones side by side, in float: one pass tells
+// which of them a ray may meet, and only those are asked in Real. A block never hides a root: what rounding may have
+// done is added up and allowed for. It also spares the memory: of what is not met, nothing but the block is read.
 #pragma once
 
 #include <immintrin.h>
@@ -83,6 +83,23 @@ inline void put(ConeBlock& block, const Sphere& sphere, std::uint32_t primitive)
 
 // ---- Which of them a ray may meet -----------------------------------------------------------------------------------
 
+/// A bit for each ball that a ray has certainly left by `near`: it starts on most of those that it meets behind it. The
+/// centre is `along` the ray and, squared, `beside2` from it; no coordinate of ball and ray together is beyond `reach`.
+inline unsigned left_before(__m256 near, __m256 along, __m256 beside2, __m256 radius, float reach) {
+    const auto less = [](__m256 a, __m256 b) {
+        return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)));
+    };
+    const unsigned behind = less(along, near);
+    if (behind == 0) return 0;
+    // Centre and origin rounded, on three axes (1.8 u reach), and what is computed from them (5 u of its size): so much
+    // is `along` off, the distance beside twice that, and its square four times that and the radius. Here 2, 12 and 6.
+    const __m256 size = _mm256_andnot_ps(_mm256_set1_ps(-0.0f), along) + radius;
+    const __m256 off = 12 * kU * size + 2 * kU * reach;
+    const __m256 most = radius + off, half_chord2 = most * (most + 6.0f * off) - beside2;
+    const __m256 to_near = near - along - 2.0f * off;
+    return behind & less(half_chord2, to_near * to_near) & less(_mm256_setzero_ps(), to_near);
+}
+
 /// A ray as blocks of spheres see it: how far it passes by their centres.
 class SphereRay {
 public:
@@ -120,7 +137,10 @@ public:
             _mm256_cmp_ps(_mm256_sub_ps(along, reaches), _mm256_set1_ps(far_distance), _CMP_NGT_UQ);
         const __m256 behind_near = _mm256_cmp_ps(_mm256_add_ps(along, reaches), _mm256_set1_ps(near_), _CMP_NLT_UQ);
         const __m256 all = _mm256_and_ps(met, _mm256_and_ps(before_far, behind_near));
-        return static_cast<unsigned>(_mm256_movemask_ps(all)) & ((1u << block.count) - 1);
+        const unsigned balls = static_cast<unsigned>(_mm256_movemask_ps(all)) & ((1u << block.count) - 1);
+        if (balls == 0) return 0;
+        return balls &
+               ~left_before(_mm256_set1_ps(near_), along, beside2, _mm256_load_ps(block.radius), block.reach + reach_);
     }
 
     /// Balls first; of those that are met, the ones whose axis the ray passes by no farther than the radius: the

@@ -1,8 +1,7 @@
 // Eight triangles side by side, in float: which of them a ray may meet, which it meets for certain, and between what.
 //
 // The test is step 1's: the triangles are sheared so that the ray runs along one axis (Woop, Benthin, Wald, "Watertight
-// Ray/Triangle Intersection", JCGT 2(1), 2013). What rounding may have done is added up beside it. u is half a unit in
-// the last place of 1, 2^-24: what a rounding changes at most, relatively.
+// Ray/Triangle Intersection", JCGT 2(1), 2013). What rounding may have done is added up beside it.
 #pragma once
 
 #include <immintrin.h>
@@ -114,8 +113,6 @@ public:
 private:
     using Lanes = __m256;
 
-    /// When Real is float itself, what is asked afterwards is rounded as much.
-    static constexpr float kU = sizeof(Real) < sizeof(double) ? 0x1p-22f : 0x1p-24f;
     static constexpr float kTiny = std::numeric_limits<float>::min();  ///< more than all that vanishes below it
 
     static Lanes abs(Lanes v) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), v); }

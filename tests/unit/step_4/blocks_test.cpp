@@ -362,6 +362,25 @@ TEST_F(BlocksOfOneTriangle, AreCertainOfWhatIsPlain) {
     EXPECT_GT(certain, kRays - kRays / 50);
 }
 
+TEST(Blocks, OfSpheresSpareTheOneThatARayLeaves) {
+    Chance chance(7);
+    int left = 0, crossed = 0;
+    for (int n = 0; n < 2000; ++n) {
+        const Sphere ball{chance.in_cube(3), chance.between(Real(0.1), 1)};
+        wide::SphereBlock block;
+        wide::put(block, ball, 0);
+        const Vec3 normal = chance.direction(), way = glm::normalize(normal + Real(0.9) * chance.direction());
+        const auto met = [&](const Vec3& direction) {
+            const wide::SphereRay ray({ball.center + ball.radius * normal, direction}, {Real(1e-3), kInfinity});
+            return std::popcount(ray.may_meet(block, wide::kMaxFloat));
+        };
+        left += met(way);
+        crossed += met(-way);
+    }
+    EXPECT_LT(left, 40);
+    EXPECT_EQ(crossed, 2000);
+}
+
 TEST(Blocks, OfThinConesLookAtMoreThanTheirBalls) {
     // A ball around a thin cone is mostly empty: the distance from the axis tells.
     Chance chance(5);
