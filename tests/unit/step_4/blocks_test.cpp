@@ -336,7 +336,7 @@ TEST_F(BlocksOfOneTriangle, SpareItToARayThatLeavesIt) {
         const Ray away{from.point + Real(1e-4) * from.normal, from.normal + Real(0.9) * chance.direction()};
         met += std::popcount(wide::TriangleRay(away, {Real(1e-4), kInfinity}).may_meet(from.block, wide::kMaxFloat));
     }
-    EXPECT_LT(met, kRays / 50);
+    EXPECT_LT(met, kRays / 20);
 }
 
 TEST_F(BlocksOfOneTriangle, SpareItToARayThatEndsBeforeIt) {
@@ -347,7 +347,7 @@ TEST_F(BlocksOfOneTriangle, SpareItToARayThatEndsBeforeIt) {
         const wide::TriangleRay ray({at.point - way, way}, {0, 1});
         met += std::popcount(ray.may_meet(at.block, 1 - 1e-3f));
     }
-    EXPECT_LT(met, kRays / 50);
+    EXPECT_LT(met, kRays / 20);
 }
 
 TEST_F(BlocksOfOneTriangle, AreCertainOfWhatIsPlain) {
@@ -359,7 +359,7 @@ TEST_F(BlocksOfOneTriangle, AreCertainOfWhatIsPlain) {
             wide::TriangleRay({at.point - way, way}, {0, kInfinity}).roots(at.block, wide::kMaxFloat);
         certain += roots.must == 1 && roots.latest[0] - roots.earliest[0] < 1e-2f;
     }
-    EXPECT_GT(certain, kRays - kRays / 50);
+    EXPECT_GT(certain, kRays - kRays / 20);
 }
 
 TEST(Blocks, OfSpheresSpareTheOneThatARayLeaves) {
@@ -377,7 +377,7 @@ TEST(Blocks, OfSpheresSpareTheOneThatARayLeaves) {
         left += met(way);
         crossed += met(-way);
     }
-    EXPECT_LT(left, 40);
+    EXPECT_LT(left, 100);
     EXPECT_EQ(crossed, 2000);
 }
 
