@@ -45,26 +45,9 @@ public:
 
     /// Which rays may meet a ball, or a cone, of a block: as wide::SphereRay tells, with rays and shapes in turned
     /// roles. Directions have unit length.
-    unsigned rays_that_meet(const wide::SphereBlock& block, int i) const {
-        const ToCenter to(*this, block, i);
-        const __m256 reaches = _mm256_add_ps(_mm256_broadcast_ss(&block.radius[i]), _mm256_set1_ps(off(block)));
-        __m256 beside2 = _mm256_setzero_ps();
-        for (int a = 0; a < 3; ++a) {
-            const __m256 beside = _mm256_fnmadd_ps(to.along, direction_[a], to.center[a]);
-            beside2 = _mm256_fmadd_ps(beside, beside, beside2);
-        }
-        // Not greater, not less: what is no number is asked.
-        const __m256 met = _mm256_cmp_ps(beside2, reaches * reaches, _CMP_NGT_UQ);
-        const __m256 before_far = _mm256_cmp_ps(to.along - reaches, far_, _CMP_NGT_UQ);
-        const __m256 behind_near = _mm256_cmp_ps(to.along + reaches, near_, _CMP_NLT_UQ);
-        const unsigned balls =
-            static_cast<unsigned>(_mm256_movemask_ps(_mm256_and_ps(met, _mm256_and_ps(before_far, behind_near))));
-        if (balls == 0) return 0;
-        return balls & ~wide::left_before(near_, to.along, beside2, _mm256_broadcast_ss(&block.radius[i]),
-                                          block.reach + reach_);
-    }
+    unsigned rays_that_meet(const wide::SphereBlock& block, int i) const { return rays_that_meet_ball<true>(block, i); }
     unsigned rays_that_meet(const wide::ConeBlock& block, int i) const {
-        const unsigned balls = rays_that_meet(block.around, i);
+        const unsigned balls = rays_that_meet_ball<false>(block.around, i);
         if (balls == 0) return 0;
         const ToCenter to(*this, block.around, i);
         __m256 axis[3], along_normal = _mm256_setzero_ps(), normal2 = along_normal;
@@ -125,6 +108,28 @@ private:
             }
         }
     };
+    /// Of the ball alone. A ray that leaves one is told only where it may be the ball's own surface that it starts on:
+    /// around a cone it seldom is.
+    template <bool leaves>
+    unsigned rays_that_meet_ball(const wide::SphereBlock& block, int i) const {
+        const ToCenter to(*this, block, i);
+        const __m256 reaches = _mm256_add_ps(_mm256_broadcast_ss(&block.radius[i]), _mm256_set1_ps(off(block)));
+        __m256 beside2 = _mm256_setzero_ps();
+        for (int a = 0; a < 3; ++a) {
+            const __m256 beside = _mm256_fnmadd_ps(to.along, direction_[a], to.center[a]);
+            beside2 = _mm256_fmadd_ps(beside, beside, beside2);
+        }
+        // Not greater, not less: what is no number is asked.
+        const __m256 met = _mm256_cmp_ps(beside2, reaches * reaches, _CMP_NGT_UQ);
+        const __m256 before_far = _mm256_cmp_ps(to.along - reaches, far_, _CMP_NGT_UQ);
+        const __m256 behind_near = _mm256_cmp_ps(to.along + reaches, near_, _CMP_NLT_UQ);
+        const unsigned balls =
+            static_cast<unsigned>(_mm256_movemask_ps(_mm256_and_ps(met, _mm256_and_ps(before_far, behind_near))));
+        if (!leaves || balls == 0) return balls;
+        return balls & ~wide::left_before(near_, to.along, beside2, _mm256_broadcast_ss(&block.radius[i]),
+                                          block.reach + reach_);
+    }
+
     /// What rounding may do to a coordinate, a projection, a distance: as in leaf_blocks.h.
     float off(const wide::SphereBlock& block) const { return 0x1p-19f * (block.reach + reach_); }
 

@@ -117,6 +117,11 @@ public:
         near_ = below(range.min * length_);
     }
 
+    unsigned may_meet(const SphereBlock& block, float far) const { return may_meet<true>(block, far); }
+
+    /// Of the balls alone. That a ray leaves one is told only where it may be the ball's own surface that it starts on:
+    /// around a cone it seldom is.
+    template <bool leaves>
     unsigned may_meet(const SphereBlock& block, float far) const {
         // Of a coordinate, a projection, a distance: some ten roundings of what went in, as above.
         const __m256 off = _mm256_set1_ps(0x1p-19f * (block.reach + reach_));
@@ -138,7 +143,7 @@ public:
         const __m256 behind_near = _mm256_cmp_ps(_mm256_add_ps(along, reaches), _mm256_set1_ps(near_), _CMP_NLT_UQ);
         const __m256 all = _mm256_and_ps(met, _mm256_and_ps(before_far, behind_near));
         const unsigned balls = static_cast<unsigned>(_mm256_movemask_ps(all)) & ((1u << block.count) - 1);
-        if (balls == 0) return 0;
+        if (!leaves || balls == 0) return balls;
         return balls &
                ~left_before(_mm256_set1_ps(near_), along, beside2, _mm256_load_ps(block.radius), block.reach + reach_);
     }
@@ -146,7 +151,7 @@ public:
     /// Balls first; of those that are met, the ones whose axis the ray passes by no farther than the radius: the
     /// distance of two lines is the part of what is between them along their common normal.
     unsigned may_meet(const ConeBlock& block, float far) const {
-        const unsigned balls = may_meet(block.around, far);
+        const unsigned balls = may_meet<false>(block.around, far);
         if (balls == 0) return 0;
         __m256 between[3], axis[3];
         for (int a = 0; a < 3; ++a) {
