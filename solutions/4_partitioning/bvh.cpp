@@ -32,14 +32,15 @@ public:
     bool blocked(const Ray& ray, Interval range, std::uint32_t& last) const override {
         if (!is_ray(ray) || !(range.min < range.max)) return false;
         if (last != kNone && tester_.blocks(last, ray, range)) return true;
-        const auto blocks = [&](std::uint32_t primitive) {
-            if (!tester_.blocks(primitive, ray, range)) return false;
+        const auto blocks = [&](std::uint32_t primitive, const PrimitiveTester::Dispatch& d) {
+            if (!tester_.blocks(d, ray, range)) return false;
             last = primitive;
             return true;
         };
-        if (looks_back(range)) return any_of_all(blocks);
-        return (!tree_.nodes.empty() && SingleWalk(tree_, ray, range).any_below(tree_.root(), blocks)) ||
-               std::any_of(unbounded_.begin(), unbounded_.end(), blocks);
+        if (looks_back(range)) return any_of_all([&](std::uint32_t p) { return blocks(p, tester_.dispatch(p)); });
+        return (!tree_.empty() && SingleWalk(tree_, ray, range).any_below(tree_.root(), blocks)) ||
+               std::any_of(unbounded_.begin(), unbounded_.end(),
+                           [&](std::uint32_t p) { return blocks(p, tester_.dispatch(p)); });
     }
 
 private:
@@ -62,12 +63,12 @@ private:
             return tester_.complete(ray, best);
         }
         for (const std::uint32_t primitive : unbounded_) keep_nearer(primitive);
-        if (!tree_.nodes.empty()) {
+        if (!tree_.empty()) {
             SingleWalk walk(tree_, ray, range);
             if (best.primitive != kNone) walk.shorten(best.root.t);
-            walk.nearest_below(tree_.root(), [&](std::uint32_t primitive) {
+            walk.nearest_below(tree_.root(), [&](std::uint32_t primitive, const PrimitiveTester::Dispatch& d) {
                 const std::uint32_t before = best.primitive;
-                keep_nearer(primitive);
+                tester_.keep_nearer(primitive, d, ray, range, best);
                 if (best.primitive != before) walk.shorten(best.root.t);
             });
         }

@@ -18,8 +18,8 @@ using Way = PrimitiveTester::Way;
 PacketIntersector::PacketIntersector(const Scene& scene)
     : hierarchy_(wide::make_hierarchy(scene)), single_(wide::make_bvh(hierarchy_)) {
     for (const Material& m : scene.materials) clear_materials_.push_back(lets_light_through(m.pigment));
-    takes_any_way_ = hierarchy_->tree.nodes.size() <= 1;
-    has_triangles_ = !hierarchy_->tree.triangles.empty();
+    takes_any_way_ = hierarchy_->tree.node_count() <= 1;
+    has_triangles_ = hierarchy_->tree.has_triangles();
 }
 
 // ---- The walk -------------------------------------------------------------------------------------------------------
@@ -31,7 +31,7 @@ void PacketIntersector::walk(Front& front, const Ask& ask, const AskAlone& ask_a
     for (const std::uint32_t primitive : hierarchy_->unbounded)
         if (ask(primitive)) return;
     const wide::Tree& tree = hierarchy_->tree;
-    if (tree.nodes.empty()) return;
+    if (tree.empty()) return;
 
     const auto ask_block = [&](const auto& block, const auto& numbers) {
         for (unsigned mask = front.meets(block); mask != 0; mask &= mask - 1) {
@@ -41,20 +41,21 @@ void PacketIntersector::walk(Front& front, const Ask& ask, const AskAlone& ask_a
         return false;
     };
     const auto ask_leaf = [&](Child leaf) {
-        const auto in = [&](const auto& blocks) -> const auto& { return blocks[leaf.place()]; };
-        if (leaf.kind() == Child::Kind::triangles) return ask_block(in(tree.triangles), in(tree.triangles).primitive);
-        if (leaf.kind() == Child::Kind::spheres) return ask_block(in(tree.spheres), in(tree.spheres).primitive);
-        if (leaf.kind() == Child::Kind::cones) return ask_block(in(tree.cones), in(tree.cones).around.primitive);
-        const std::uint32_t* list = &tree.lists[leaf.place()];
-        for (std::uint32_t k = 1; k <= list[0]; ++k)
-            if (ask(list[k])) return true;
+        if (leaf.kind() == Child::Kind::triangles)
+            return ask_block(tree.triangles(leaf), tree.triangles(leaf).primitive);
+        if (leaf.kind() == Child::Kind::spheres) return ask_block(tree.spheres(leaf), tree.spheres(leaf).primitive);
+        if (leaf.kind() == Child::Kind::cones) return ask_block(tree.cones(leaf), tree.cones(leaf).around.primitive);
+        const wide::List& list = tree.list(leaf);
+        for (std::uint32_t k = 0; k < list.count; ++k)
+            if (ask(list.primitive[k])) return true;
         return false;
     };
 
-    wide::Waiting stack[wide::kMostWaiting];  // what: node * 8 + child
+    wide::Waiting stack[wide::kMostWaiting];  // what: a node's bits, of which the lower three are 0, and there the
+                                              // number of the child
     int size = 0;
-    for (std::uint32_t next = 0;;) {
-        const wide::Node& node = tree.nodes[next];
+    for (Child next = tree.root();;) {
+        const wide::Node& node = tree.node(next);
         alignas(32) float enters[wide::kWidth];
         const int first = size;
         for (unsigned mask = front.meets(node, enters); mask != 0; mask &= mask - 1) {
@@ -62,13 +63,13 @@ void PacketIntersector::walk(Front& front, const Ask& ask, const AskAlone& ask_a
             int place = size++;
             if constexpr (sorted)
                 for (; place > first && stack[place - 1].enters() < enters[i]; --place) stack[place] = stack[place - 1];
-            stack[place] = wide::Waiting(enters[i], next * 8 + static_cast<unsigned>(i));
+            stack[place] = wide::Waiting(enters[i], next.bits() | static_cast<unsigned>(i));
         }
         for (;;) {
             if (size == 0) return;
             const wide::Waiting open = stack[--size];
             if (open.enters() > front.far_end()) continue;
-            const wide::Node& parent = tree.nodes[open.what() / 8];
+            const wide::Node& parent = tree.node(Child(open.what() & ~7u));
             const unsigned rays = front.rays_that_meet(parent, open.what() % 8);
             if (rays == 0) continue;
             const Child child = parent.child[open.what() % 8];
@@ -79,7 +80,7 @@ void PacketIntersector::walk(Front& front, const Ask& ask, const AskAlone& ask_a
                 }
             }
             if (child.kind() == Child::Kind::node) {
-                next = child.place();
+                next = child;
                 break;
             }
             if (ask_leaf(child)) return;

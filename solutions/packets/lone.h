@@ -35,11 +35,12 @@ public:
             Lane& own = lane(i);  // no structured binding: Clang 14 does not let lambdas see one
             const Ray& ray = own.ray;
             wide::SingleWalk& walk = own.walk;
-            const bool is_blocked = walk.any_below(part, [&](std::uint32_t primitive) {
-                if (!hierarchy_.tester.blocks(primitive, ray, asked_.range(i))) return false;
-                suspect = primitive;
-                return true;
-            });
+            const bool is_blocked =
+                walk.any_below(part, [&](std::uint32_t primitive, const PrimitiveTester::Dispatch& d) {
+                    if (!hierarchy_.tester.blocks(d, ray, asked_.range(i))) return false;
+                    suspect = primitive;
+                    return true;
+                });
             if (is_blocked) blocked |= 1u << i;
         });
         return blocked;
@@ -55,9 +56,9 @@ public:
             Candidate best = candidate_of(found, i);
             if (best.primitive != kNone) walk.shorten(best.root.t);
             const std::uint32_t before = best.primitive;
-            walk.nearest_below(part, [&](std::uint32_t primitive) {
+            walk.nearest_below(part, [&](std::uint32_t primitive, const PrimitiveTester::Dispatch& d) {
                 const std::uint32_t previous = best.primitive;
-                hierarchy_.tester.keep_nearer(primitive, ray, asked_.range(i), best);
+                hierarchy_.tester.keep_nearer(primitive, d, ray, asked_.range(i), best);
                 if (best.primitive != previous) walk.shorten(best.root.t);
             });
             if (best.primitive != before)

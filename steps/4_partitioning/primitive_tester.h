@@ -16,6 +16,7 @@ namespace rays {
 struct Candidate {
     Root root;
     std::uint32_t primitive = kNone;  ///< into the list of primitives; kNone: nothing found
+    std::uint32_t object = kNone;     ///< that it is a part of
 };
 
 /// Counts what it is asked while somebody counts.
@@ -29,9 +30,13 @@ public:
 
     /// Keeps the nearer of `best` and this primitive's root in (range.min, range.max); at equal t the smaller number.
     /// Any order of calls ends with the same best.
-    void keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range, Candidate& best) const;
+    void keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range, Candidate& best) const {
+        keep_nearer(primitive, dispatch_[primitive], ray, range, best);
+    }
     /// Does this primitive cast a shadow, and have a root in the range?
-    bool blocks(std::uint32_t primitive, const Ray& ray, Interval range) const;
+    bool blocks(std::uint32_t primitive, const Ray& ray, Interval range) const {
+        return blocks(dispatch_[primitive], ray, range);
+    }
     /// The hit that a candidate is, if there is one.
     std::optional<Hit> complete(const Ray& ray, const Candidate& best) const;
 
@@ -50,6 +55,12 @@ public:
         bool casts;  ///< a shadow
     };
     const Dispatch& dispatch(std::uint32_t primitive) const { return dispatch_[primitive]; }
+
+    /// The same for who has that at hand.
+    void keep_nearer(std::uint32_t primitive, const Dispatch& d, const Ray& ray, Interval range, Candidate& best) const;
+    bool blocks(const Dispatch& d, const Ray& ray, Interval range) const {
+        return d.casts && ask(d, ray, range).has_value();
+    }
 
 private:
     std::optional<Root> ask(const Dispatch& d, const Ray& ray, Interval range) const {
@@ -75,9 +86,8 @@ private:
     LargeVector<Dispatch> dispatch_;
 };
 
-inline void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray, Interval range,
+inline void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Dispatch& d, const Ray& ray, Interval range,
                                          Candidate& best) const {
-    const Dispatch& d = dispatch_[primitive];
     // A little beyond the best root, so that one at equal t is seen too; the rule for ties then decides.
     if (best.primitive != kNone && !d.iterated) range.max = just_above(best.root.t);
     const auto root = ask(d, ray, range);
@@ -88,17 +98,13 @@ inline void PrimitiveTester::keep_nearer(std::uint32_t primitive, const Ray& ray
         best.root.uv = root->uv;
         best.root.part = root->part;
         best.primitive = primitive;
+        best.object = d.primitive.object;
     }
-}
-
-inline bool PrimitiveTester::blocks(std::uint32_t primitive, const Ray& ray, Interval range) const {
-    const Dispatch& d = dispatch_[primitive];
-    return d.casts && ask(d, ray, range).has_value();
 }
 
 inline std::optional<Hit> PrimitiveTester::complete(const Ray& ray, const Candidate& best) const {
     if (best.primitive == kNone) return std::nullopt;
-    return complete_hit(*scene_, primitive(best.primitive).object, ray, best.root);
+    return complete_hit(*scene_, best.object, ray, best.root);
 }
 
 }  // namespace rays

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "4_partitioning/beyond/wide_tree.h"
+#include "4_partitioning/beyond/tree_builder.h"
 #include "4_partitioning/primitive_tester.h"
 #include "core/intersector.h"
 

@@ -40,7 +40,9 @@ public:
     template <class Ask>
     void nearest_below(Child from, const Ask& ask) {
         const auto all = [&] {
-            visit<true>(from, [&](std::uint32_t primitive) { return ask(primitive), false; });
+            visit<true>(from, [&](std::uint32_t primitive, const PrimitiveTester::Dispatch& d) {
+                return ask(primitive, d), false;
+            });
             ask_postponed(ask);
         };
         const float before = far_;
@@ -61,7 +63,8 @@ private:
     /// A triangle that is still to be asked, and where its root is at the earliest.
     struct Postponed {
         float earliest;
-        std::uint32_t primitive;
+        int lane;
+        const TriangleBlock* block;
     };
     static constexpr int kMostPostponed = 8;
 
@@ -73,30 +76,38 @@ private:
     template <bool sorted, class Ask>
     bool visit(Child from, const Ask& ask) {
         Stack stack;
-        for (Waiting next(0, from.bits());;) {
-            if (descend<sorted>(next, stack)) {
-                if (effort && effort->visited) [[unlikely]]
-                    watch(Child(next.what()));
-                if (ask_leaf<sorted>(Child(next.what()), ask)) return true;
-            }
-            do {
-                if (stack.size == 0) return false;
-                next = stack.waiting[--stack.size];
-            } while (next.enters() > far_);
-        }
+        Waiting next(0, from.bits());
+        do {
+            if (!descend<sorted>(next, stack)) break;
+            if (effort && effort->visited) [[unlikely]]
+                watch(Child(next.what()));
+            if (ask_leaf<sorted>(Child(next.what()), ask)) return true;
+        } while (pop(next, stack));
+        return false;
+    }
+
+    bool pop(Waiting& next, Stack& stack) const {
+        do {
+            if (stack.size == 0) return false;
+            next = stack.waiting[--stack.size];
+        } while (next.enters() > far_);
+        return true;
     }
 
     /// Down from `next` to a leaf, always to the nearest child when sorted; the other children that the ray meets wait
     /// on the stack, nearer ones on top. False when it meets no leaf: then there is nothing in hand.
     template <bool sorted>
     bool descend(Waiting& next, Stack& stack) const {
-        for (Child child(next.what()); child.kind() == Child::Kind::node; child = Child(next.what())) {
+        while (Child(next.what()).kind() == Child::Kind::node) {
             if (effort) [[unlikely]]
                 ++effort->nodes;
-            const Node& node = tree_.nodes[child.place()];
+            const Node& node = tree_.node(Child(next.what()));
             alignas(32) float enters[kWidth];
             unsigned mask = box_ray_.meets(node, enters);
-            if (mask == 0) return false;
+            if (mask == 0) {
+                if (!pop(next, stack)) return false;
+                continue;
+            }
             const auto next_child = [&] {
                 const int i = std::countr_zero(mask);
                 mask &= mask - 1;
@@ -119,40 +130,47 @@ private:
     }
 
     /// For pictures: leaves do not know their boxes, so all nodes are searched for who does.
-    void watch(Child leaf) const {
-        for (const Node& node : tree_.nodes)
-            for (int i = 0; i < kWidth; ++i) {
-                if (node.child[i].bits() != leaf.bits()) continue;
-                const auto corner = [i](const auto& planes) { return Vec3(planes(0)[i], planes(1)[i], planes(2)[i]); };
-                effort->visited->push_back(
-                    {corner([&](int a) { return node.lo(a); }), corner([&](int a) { return node.hi(a); })});
-            }
+    void watch(Child leaf, Child from = Tree::root()) const {
+        const Node& node = tree_.node(from);
+        for (int i = 0; i < kWidth; ++i) {
+            if (node.lo(0)[i] > node.hi(0)[i]) continue;  // nobody
+            if (node.child[i].kind() == Child::Kind::node) watch(leaf, node.child[i]);
+            if (node.child[i].bits() != leaf.bits()) continue;
+            const auto corner = [i](const auto& planes) { return Vec3(planes(0)[i], planes(1)[i], planes(2)[i]); };
+            effort->visited->push_back(
+                {corner([&](int a) { return node.lo(a); }), corner([&](int a) { return node.hi(a); })});
+        }
     }
 
     template <bool sorted, class Ask>
     bool ask_leaf(Child leaf, const Ask& ask) {
-        const auto in = [&](const auto& blocks) -> const auto& { return blocks[leaf.place()]; };
         switch (leaf.kind()) {
             case Child::Kind::triangles:
-                if constexpr (sorted) return postpone(in(tree_.triangles), ask), false;
-                return ask_block(in(tree_.triangles), in(tree_.triangles).primitive, triangle_ray_, ask);
-            case Child::Kind::spheres:
-                return ask_block(in(tree_.spheres), in(tree_.spheres).primitive, sphere_ray_, ask);
-            case Child::Kind::cones:
-                return ask_block(in(tree_.cones), in(tree_.cones).around.primitive, sphere_ray_, ask);
+                if constexpr (sorted) return postpone(tree_.triangles(leaf), ask), false;
+                return ask_triangles(tree_.triangles(leaf), ask);
+            case Child::Kind::spheres: return ask_round(tree_.spheres(leaf), tree_.spheres(leaf).primitive, ask);
+            case Child::Kind::cones: return ask_round(tree_.cones(leaf), tree_.cones(leaf).around.primitive, ask);
             default: break;
         }
-        const std::uint32_t* list = &tree_.lists[leaf.place()];
-        for (std::uint32_t k = 1; k <= list[0]; ++k)
-            if (ask(list[k])) return true;
+        const List& list = tree_.list(leaf);
+        for (std::uint32_t k = 0; k < list.count; ++k)
+            if (ask(list.primitive[k], tree_.dispatch(list.primitive[k]))) return true;
         return false;
     }
 
-    template <class Block, class Numbers, class BlockRay, class Ask>
-    bool ask_block(const Block& block, const Numbers& numbers, std::optional<BlockRay>& block_ray, const Ask& ask) {
-        if (!block_ray) block_ray.emplace(ray_, range_);
-        for (unsigned mask = block_ray->may_meet(block, far_); mask != 0; mask &= mask - 1)
-            if (ask(numbers[std::countr_zero(mask)])) return true;
+    template <class Block, class Numbers, class Ask>
+    bool ask_round(const Block& block, const Numbers& numbers, const Ask& ask) {
+        if (!sphere_ray_) sphere_ray_.emplace(ray_, range_);
+        for (unsigned mask = sphere_ray_->may_meet(block, far_); mask != 0; mask &= mask - 1)
+            if (const auto p = numbers[std::countr_zero(mask)]; ask(p, tree_.dispatch(p))) return true;
+        return false;
+    }
+
+    template <class Ask>
+    bool ask_triangles(const TriangleBlock& block, const Ask& ask) {
+        if (!triangle_ray_) triangle_ray_.emplace(ray_, range_);
+        for (unsigned mask = triangle_ray_->may_meet(block, far_); mask != 0; mask &= mask - 1)
+            if (const int i = std::countr_zero(mask); ask(block.primitive[i], tree_.dispatch(block, i))) return true;
         return false;
     }
 
@@ -163,7 +181,7 @@ private:
         for (unsigned mask = roots.may; mask != 0; mask &= mask - 1) {
             const int i = std::countr_zero(mask);
             if (postponed_count_ == kMostPostponed) ask_postponed(ask);
-            postponed_[postponed_count_++] = {roots.earliest[i], block.primitive[i]};
+            postponed_[postponed_count_++] = {roots.earliest[i], i, &block};
             tree_.fetch(block, i);
             if (is_trusting_ && (roots.must >> i & 1) && roots.latest[i] < far_) {
                 certain_until_ = roots.latest[i];
@@ -177,7 +195,7 @@ private:
     void ask_postponed(const Ask& ask) {
         while (postponed_count_ > 0) {
             const Postponed next = postponed_[--postponed_count_];
-            if (next.earliest <= far_) ask(next.primitive);
+            if (next.earliest <= far_) ask(next.block->primitive[next.lane], tree_.dispatch(*next.block, next.lane));
         }
     }
 

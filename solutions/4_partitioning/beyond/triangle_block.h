@@ -14,18 +14,19 @@
 
 #include "4_partitioning/beyond/box_ray.h"
 #include "4_partitioning/beyond/float_box.h"
+#include "4_partitioning/primitive_tester.h"
 
 namespace rays::wide {
 
-struct alignas(32) TriangleBlock {
+struct alignas(64) TriangleBlock {
     float corner[3][3][kWidth] = {};  ///< corner, axis, lane
     std::uint32_t primitive[kWidth] = {};
     std::uint32_t count = 0;
     float reach = 0;  ///< no coordinate is larger
-    /// Where all are faces of one mesh, that mesh's, and the number of the first of them: they are fetched before they
-    /// are asked.
-    const Mesh::Face* faces = nullptr;
-    std::uint32_t first_face = 0;
+    // Where all are faces of one mesh, what asking them needs is known before they are looked up, and fetched.
+    PrimitiveTester::Dispatch first = {};  ///< of the first of them
+    bool is_of_one_mesh = false;
+    std::uint32_t position[3][kWidth] = {};  ///< of each corner, in the mesh
 };
 
 /// The corners of a primitive of the kind `triangles`.
