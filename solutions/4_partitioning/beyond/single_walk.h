@@ -79,7 +79,7 @@ private:
         Waiting next(0, from.bits());
         do {
             if (!descend<sorted>(next, stack)) break;
-            if (effort && effort->visited) [[unlikely]]
+            if (effort_ && effort_->visited) [[unlikely]]
                 watch(Child(next.what()));
             if (ask_leaf<sorted>(Child(next.what()), ask)) return true;
         } while (pop(next, stack));
@@ -99,8 +99,8 @@ private:
     template <bool sorted>
     bool descend(Waiting& next, Stack& stack) const {
         while (Child(next.what()).kind() == Child::Kind::node) {
-            if (effort) [[unlikely]]
-                ++effort->nodes;
+            if (effort_) [[unlikely]]
+                ++effort_->nodes;
             const Node& node = tree_.node(Child(next.what()));
             alignas(32) float enters[kWidth];
             unsigned mask = box_ray_.meets(node, enters);
@@ -137,7 +137,7 @@ private:
             if (node.child[i].kind() == Child::Kind::node) watch(leaf, node.child[i]);
             if (node.child[i].bits() != leaf.bits()) continue;
             const auto corner = [i](const auto& planes) { return Vec3(planes(0)[i], planes(1)[i], planes(2)[i]); };
-            effort->visited->push_back(
+            effort_->visited->push_back(
                 {corner([&](int a) { return node.lo(a); }), corner([&](int a) { return node.hi(a); })});
         }
     }
@@ -201,6 +201,7 @@ private:
 
     const Tree& tree_;
     const Ray& ray_;
+    Effort* const effort_ = effort;  ///< looked up once: it is the thread's
     Interval range_;
     BoxRay box_ray_;
     float far_;
