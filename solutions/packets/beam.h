@@ -96,8 +96,8 @@ public:
         const __m256 off = _mm256_set1_ps(block.reach * kOff);
         __m256 lo[3], hi[3];
         for (int a = 0; a < 3; ++a) {
-            const __m256 p = _mm256_load_ps(block.corner[0][a]), q = _mm256_load_ps(block.corner[1][a]),
-                         r = _mm256_load_ps(block.corner[2][a]);
+            const __m256 p = _mm256_load_ps(block.corner[a]), q = p + _mm256_load_ps(block.edge[0][a]),
+                         r = p + _mm256_load_ps(block.edge[1][a]);
             lo[a] = _mm256_sub_ps(_mm256_min_ps(p, _mm256_min_ps(q, r)), off);
             hi[a] = _mm256_add_ps(_mm256_max_ps(p, _mm256_max_ps(q, r)), off);
         }
@@ -135,7 +135,7 @@ private:
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(near, far, _CMP_LE_OQ)));
     }
 
-    static constexpr float kOff = 0x1p-21f;  ///< of a corner in float, and of a root that lies a little outside
+    static constexpr float kOff = 0x1p-21f;  ///< of a corner in float, found by an edge, and of a root a little outside
 
     // Of all rays, and of each.
     __m256 near_origin_[3], far_origin_[3], inverse_min_[3], inverse_max_[3], first_near_, last_far_;

@@ -15,7 +15,7 @@ public:
     /// Of a ray that goes forward: 0 <= range.min. The ray must outlive it.
     SingleWalk(const Tree& tree, const Ray& ray, Interval range)
         : tree_(tree), ray_(ray), range_(range), box_ray_(ray, range) {
-        far_ = range.max < kMaxFloat ? above(range.max) : kMaxFloat;
+        far_ = above(range.max);
     }
 
     /// Somebody has a root at t: nothing behind it counts any more.
@@ -39,20 +39,16 @@ public:
     /// is asked once more, by blocks that are certain of nothing.
     template <class Ask>
     void nearest_below(Child from, const Ask& ask) {
-        const auto all = [&] {
+        const float before = far_;
+        certain_until_ = kMaxFloat;
+        for (is_trusting_ = true;; is_trusting_ = false) {
             visit<true>(from, [&](std::uint32_t primitive, const PrimitiveTester::Dispatch& d) {
                 return ask(primitive, d), false;
             });
             ask_postponed(ask);
-        };
-        const float before = far_;
-        certain_until_ = kMaxFloat;
-        all();
-        if (certain_until_ == kMaxFloat || found_ <= certain_until_) return;
-        end_at(std::min(before, above(found_)));
-        is_trusting_ = false;
-        all();
-        is_trusting_ = true;
+            if (!is_trusting_ || certain_until_ == kMaxFloat || found_ <= certain_until_) return;
+            end_at(std::min(before, above(found_)));
+        }
     }
 
 private:
@@ -90,7 +86,7 @@ private:
         do {
             if (stack.size == 0) return false;
             next = stack.waiting[--stack.size];
-        } while (next.enters() > far_);
+        } while (next.is_behind(far_));
         return true;
     }
 
@@ -118,10 +114,10 @@ private:
             const int first = stack.size;
             while (mask != 0) {
                 Waiting other = next_child();
-                if (sorted && other.enters() < next.enters()) std::swap(other, next);
+                if (sorted && other.is_nearer_than(next)) std::swap(other, next);
                 int place = stack.size++;
                 if constexpr (sorted)
-                    for (; place > first && stack.waiting[place - 1].enters() < other.enters(); --place)
+                    for (; place > first && stack.waiting[place - 1].is_nearer_than(other); --place)
                         stack.waiting[place] = stack.waiting[place - 1];
                 stack.waiting[place] = other;
             }

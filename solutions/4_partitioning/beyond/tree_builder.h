@@ -36,7 +36,8 @@ public:
         Tree tree(tester_);
         if (!items_.empty()) {
             plan(0);
-            tree.reserve(lines_below(0));
+            tree.reserve(Tree::lines_of<List> + lines_below(0));
+            tree.add(Child::Kind::list, List());
             collapse(0, tree);
         }
         items_ = {};
@@ -236,7 +237,7 @@ private:
         for (int i = 0; i < kWidth; ++i) {
             const bool is_there = i < children.count;
             node.set(static_cast<std::size_t>(i), is_there ? nodes_[children.of[i]].box : FloatBox{});
-            node.child[i] = !is_there                 ? Child(0)
+            node.child[i] = !is_there                 ? Tree::nobody()
                             : is_leaf(children.of[i]) ? leaf(nodes_[children.of[i]], tree)
                                                       : collapse(children.of[i], tree);
         }

@@ -34,16 +34,20 @@ private:
 };
 
 /// What is still to be looked at, and where a ray enters it. One word: who loads at once what was stored in two waits.
+/// Of floats that are not negative, the greater has the greater bits, and words compare sooner. (-0 comes first of
+/// all.)
 class Waiting {
 public:
     Waiting() = default;
     Waiting(float enters, std::uint32_t what)
-        : both_(std::uint64_t(std::bit_cast<std::uint32_t>(enters)) << 32 | what) {}
+        : both_(static_cast<std::int64_t>(std::uint64_t(std::bit_cast<std::uint32_t>(enters)) << 32 | what)) {}
     float enters() const { return std::bit_cast<float>(static_cast<std::uint32_t>(both_ >> 32)); }
     std::uint32_t what() const { return static_cast<std::uint32_t>(both_); }
+    bool is_nearer_than(Waiting other) const { return both_ < other.both_; }
+    bool is_behind(float t) const { return static_cast<std::int32_t>(both_ >> 32) > std::bit_cast<std::int32_t>(t); }
 
 private:
-    std::uint64_t both_;  // without a value of its own, either
+    std::int64_t both_;  // without a value of its own, either
 };
 inline constexpr int kMostWaiting = 8 * 80;  ///< splits stop being uneven at depth 64; then halves of 2^32 items
 
@@ -73,7 +77,10 @@ public:
     bool empty() const { return node_count_ == 0; }
     std::size_t node_count() const { return node_count_; }
     bool has_triangles() const { return has_triangles_; }
-    static Child root() { return {Child::Kind::node, 0}; }
+    /// The list that everything begins with: it is empty. Where a node has fewer than eight children, a ray from beyond
+    /// float may still meet what is not there.
+    static Child nobody() { return {Child::Kind::list, 0}; }
+    static Child root() { return {Child::Kind::node, lines_of<List>}; }
 
     const Node& node(Child child) const { return at<Node>(child); }
     const List& list(Child child) const { return at<List>(child); }
