@@ -1,6 +1,9 @@
 // Eight boxes held against a ray in float: none that the ray meets is ever missed, and few others are met.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "4_partitioning/beyond/box_ray.h"
@@ -31,6 +34,7 @@ Vec3 any_direction(Chance& chance, Real shortest, Real longest) {
     for (int a = 0; a < 3; ++a)
         if (chance.unit() < Real(0.3)) d[a] *= chance.unit() < Real(0.5) ? 0 : chance.order(Real(1e-30), 1);
     if (d == Vec3(0)) d.z = -1;
+    d /= std::max(std::abs(d.x), std::max(std::abs(d.y), std::abs(d.z)));  // so that its square is a number in float
     return glm::normalize(d) * chance.order(shortest, longest);
 }
 Bounds box_at(Chance& chance, const Vec3& middle, Real size) {
