@@ -3,8 +3,10 @@
 #pragma once
 
 #include "core/vec.h"
-#ifdef __AVX512DQ__
+#if defined RAYSTEPS_LANES_AVX512
 #include "packets/lanes_avx512.h"
+#elif defined RAYSTEPS_LANES_AVX512VL
+#include "packets/lanes_avx512vl.h"
 #else
 #include "packets/lanes_avx2.h"
 #endif

@@ -42,7 +42,7 @@ std::unique_ptr<Packets> make_packets(const Scene& scene) {
     if (!__builtin_cpu_supports("avx512dq"))
         throw InputError(
             "this program was built for processors with AVX-512, which this one has not; build it here, "
-            "or with cmake -DRAYSTEPS_AVX512=OFF");
+            "or with cmake -DRAYSTEPS_LANES=avx2");
 #endif
     // Below 0, what weighs nothing is traced, too: that is for single rays.
     if (!(scene.settings.adc_bailout >= 0) || scene.settings.max_trace_level < 1) return nullptr;
