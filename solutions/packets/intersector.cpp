@@ -142,7 +142,7 @@ void PacketIntersector::with_front(const Rays& rays, Mask lanes, const Direction
     }
 }
 
-Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span) const {
+Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span, Wanted wanted) const {
     Found found;
     const unsigned alone = grouped(rays, active, [&](Mask lanes, const Directions::Way* way) {
         const Asked asked(rays, span, lanes, lanes, found.t);
@@ -159,7 +159,7 @@ Hits PacketIntersector::nearest(const Rays& rays, Mask active, const Span& span)
         });
     });
     Hits hits;
-    if (found.is().any()) complete(rays, found, hits);
+    if (found.is().any()) complete(rays, found, wanted, hits);
     if (alone != 0) {
         const SpreadRays single(rays);
         const Spread starts(span.near), ends(span.far);

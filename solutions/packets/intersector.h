@@ -19,6 +19,9 @@ struct Obstacles {
     Mask clear = Mask::of(0);   ///< these meet something that lets light through, and have to walk from hit to hit
 };
 
+/// Of a hit: shadow rays ask what they meet and where, not how it is turned.
+enum class Wanted { places, normals };
+
 using ObjectNumbers = std::uint32_t[kLanes];
 
 /// Whom to ask first: who took a light away last, where the same object was lit. Neighbours on an object tend to lie in
@@ -49,7 +52,7 @@ public:
     bool takes_any_way() const { return takes_any_way_; }
 
     /// The nearest hits in the span, 0 <= near. `active` are the rays that ask.
-    Hits nearest(const Rays& rays, Mask active, const Span& span) const;
+    Hits nearest(const Rays& rays, Mask active, const Span& span, Wanted wanted = Wanted::normals) const;
 
     /// Which rays meet something that casts a shadow in the span? They start on the objects `lit`, and `suspects` are
     /// those of one light.
@@ -75,8 +78,9 @@ private:
     Roots roots_of(std::uint32_t primitive, const Asked& asked) const;
     bool keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const;
     Mask blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const;
-    void complete(const Rays& rays, const Found& found, Hits& hits) const;
+    void complete(const Rays& rays, const Found& found, Wanted wanted, Hits& hits) const;
     void complete(std::uint32_t primitive, Mask lanes, const Rays& rays, const Found& found, Hits& hits) const;
+    void set_normals(std::uint32_t primitive, Mask lanes, const Found& found, Hits& hits) const;
 
     std::shared_ptr<const wide::Hierarchy> hierarchy_;
     std::unique_ptr<wide::SingleRays> single_;

@@ -97,9 +97,7 @@ inline Mask is_less(Floats a, Floats b) { return widen(compared<_CMP_LT_OQ>(a.v,
 inline Mask is_greater(Floats a, Floats b) { return is_less(b, a); }
 /// Of the four lanes that each radiance has, the last of which is 0.
 inline Floats largest(const Radiances& a) { return max(max(a.r, a.g), max(a.b, Floats(0.0f))); }
-inline Mask is_not_black(const Radiances& a) {
-    const auto is_not_zero = [](Floats f) { return widen(compared<_CMP_NEQ_UQ>(f.v, _mm256_setzero_ps())); };
-    return is_not_zero(a.r) | is_not_zero(a.g) | is_not_zero(a.b);
-}
+inline Mask is_not_zero(Floats a) { return widen(compared<_CMP_NEQ_UQ>(a.v, _mm256_setzero_ps())); }
+inline Mask is_not_black(const Radiances& a) { return is_not_zero(a.r) | is_not_zero(a.g) | is_not_zero(a.b); }
 
 }  // namespace rays::packets

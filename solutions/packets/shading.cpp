@@ -229,9 +229,15 @@ Radiances Shadows::visibility(std::size_t light, const Surfaces& at, Mask lanes,
     const Radiances all{Floats(1.0f), Floats(1.0f), Floats(1.0f)}, none;
     if (!world_.filtered_shadows)
         return select(intersector_.occluded(rays, lanes, span, at.object, suspects_[light]), none, all);
-    const Obstacles met = intersector_.obstacles(rays, lanes, span);
+    // Who is opaque, and who meets nothing, is soon found out; but where the light is behind glass that was asked in
+    // vain.
+    const Obstacles met = is_behind_glass_[light] ? Obstacles{Mask::of(0), lanes & (span.near < span.far)}
+                                                  : intersector_.obstacles(rays, lanes, span);
     const Radiances left = select(met.opaque, none, all);
-    return met.clear.any() ? select(met.clear, filtered(rays, met.clear, span, inside), left) : left;
+    if (!met.clear.any()) return left;
+    const Radiances through = filtered(rays, met.clear, span, inside);
+    is_behind_glass_[light] = !(met.opaque | (met.clear - is_not_black(through))).any();
+    return select(met.clear, through, left);
 }
 
 /// What is left of light after ways through media that take some; null: through none.
@@ -262,7 +268,7 @@ Radiances Shadows::filtered(const Rays& rays, Mask open, Span span, const Inside
         media[i] = inside;
     });
     while (open.any()) {
-        const Hits hits = intersector_.nearest(rays, open, span);
+        const Hits hits = intersector_.nearest(rays, open, span, Wanted::places);
         unsigned going_on = hits.are;
         const Interior* crossed[kLanes] = {};
         Spread ways(Reals(0.0));
@@ -300,7 +306,8 @@ Radiances direct_light(const Scene& scene, const std::vector<Lamp>& lamps, Shado
                        const Surfaces& at, const Inside& inside) {
     const Finish& finish = *at.finish;
     Radiances sum = at.opacity * at.color * Radiances(finish.ambient * scene.settings.ambient_light + finish.emission);
-    if (!(finish.diffuse > 0) && !(finish.phong > 0) && !(finish.specular > 0)) return sum;
+    const bool scatters = finish.diffuse > 0 && is_not_zero(at.opacity).any();
+    if (!scatters && !(finish.phong > 0) && !(finish.specular > 0)) return sum;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& source = scene.lights[i];
         Illuminations light = illuminate(source, lamps[i], places_of(source, i, samples, at), at.are, at.point);

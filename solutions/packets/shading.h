@@ -44,7 +44,8 @@ public:
     Shadows(const PacketIntersector& intersector, const World& world)
         : intersector_(intersector),
           world_(world),
-          suspects_(world.scene.lights.size(), Suspects(world.scene.objects.size())) {}
+          suspects_(world.scene.lights.size(), Suspects(world.scene.objects.size())),
+          is_behind_glass_(world.scene.lights.size()) {}
 
     Radiances visibility(std::size_t light, const Surfaces& at, Mask lanes, const Vec3s& to_light, Reals distance,
                          const Inside& inside);
@@ -54,7 +55,8 @@ private:
 
     const PacketIntersector& intersector_;
     const World& world_;
-    std::vector<Suspects> suspects_;  ///< of each light
+    std::vector<Suspects> suspects_;     ///< of each light
+    std::vector<bool> is_behind_glass_;  ///< did the last rays to each light meet clear things only?
 };
 
 /// `samples`: null, or where the lights are for each sample.
