@@ -11,6 +11,7 @@
 #include "core/unfinished.h"
 //> hidden
 #include "4_partitioning/beyond/box_ray.h"
+#include "4_partitioning/beyond/octree_axes.h"
 #include "4_partitioning/beyond/octree_nodes.h"
 #include "4_partitioning/beyond/surface_test.h"
 //< hidden
@@ -54,45 +55,60 @@ OctreeRay octree_ray(const Bounds& root, const Ray& ray) {
 //> hidden
 namespace {
 
-/// One number for each axis, worked on side by side, and one that is not looked at.
-using Axes = Real __attribute__((vector_size(4 * sizeof(Real))));
-using AxesMask = decltype(Axes{} < Axes{});
+using octree::Axes;
+using octree::AxesMask;
+using octree::vec3;
 
-Axes axes(const Vec3& v) { return Axes{v.x, v.y, v.z, 0}; }
-Vec3 vec3(Axes v) { return {v[0], v[1], v[2]}; }
-Real largest(Axes v) { return std::max(v[0], std::max(v[1], v[2])); }
-Real smallest(Axes v) { return std::min(v[0], std::min(v[1], v[2])); }
-
-/// A node on the way of a ray, and the octant of it that comes next: the ray begins in the far half along every axis
-/// whose middle it has passed before it enters; then it changes halves along the axis that it leaves first.
+/// The octant in which the ray is: it begins in the far half along every axis whose middle it has passed before it
+/// enters; then it changes halves along the axis that it leaves first.
 class Passage {
 public:
     Passage() = default;
-    Passage(Axes near, Axes far, Span span)
-        : near_(near), middle_(Real(0.5) * (near + far)), far_(far), exit_(std::min(span.exit, smallest(far))) {
-        const Real enter = std::max(span.enter, largest(near));
-        const AxesMask passed = middle_ < Axes{enter, enter, enter, enter};
-        half_ = (passed[0] & 1) | (passed[1] & 2) | (passed[2] & 4);
+    /// From where the ray passes the node's faces, and what of it counts there.
+    Passage(Axes near, Axes far, Real enter, Real exit)
+        : near_(near),
+          middle_(Real(0.5) * (near + far)),
+          far_(far),
+          enter_(enter),
+          exit_(exit),
+          half_(octree::bits_of(middle_ < Axes{enter, enter, enter, enter})) {}
+
+    /// Part by part: what was just written in parts and is read as a whole has to wait until it is in the cache.
+    Passage(const Passage& other) { *this = other; }
+    Passage& operator=(const Passage& other) {
+        near_ = other.near_, middle_ = other.middle_, far_ = other.far_;
+        enter_ = other.enter_, exit_ = other.exit_;
+        half_ = other.half_;
+        return *this;
     }
 
     unsigned octant(unsigned mirror) const { return half_ ^ mirror; }
-    Axes near() const { return kHalves[half_] ? middle_ : near_; }
-    Axes far() const { return kHalves[half_] ? far_ : middle_; }
+    Axes near() const { return octree::select(kHalves[half_], middle_, near_); }
+    Axes far() const { return octree::select(kHalves[half_], far_, middle_); }
+    Real enter() const { return enter_; }
 
-    /// To the next octant, if the ray enters it before `exit`.
-    bool go_on(Real exit) {
+    /// To the next octant, if the ray enters it before `end`.
+    bool go_on(Real end) {
         const Axes leave = far();
-        const int axis = leave[0] < leave[1] ? (leave[0] < leave[2] ? 0 : 2) : (leave[1] < leave[2] ? 1 : 2);
-        if ((half_ >> axis & 1) || !(leave[axis] <= std::min(exit, exit_))) return false;
-        half_ |= 1u << axis;
+        const Real exit = octree::smallest(leave), x = leave[0], y = leave[1], z = leave[2];
+        const unsigned first = x < y ? (x < z ? 1 : 4) : (y < z ? 2 : 4);
+        if ((half_ & first) || !(exit <= std::min(end, exit_))) return false;
+        half_ |= first;
+        enter_ = exit;
+        return true;
+    }
+    /// To the next octant of those that there are, this one included.
+    bool find(unsigned octants, unsigned mirror, Real end) {
+        while (!(octants >> octant(mirror) & 1))
+            if (!go_on(end)) return false;
         return true;
     }
 
 private:
-    static constexpr AxesMask kHalves[8] = {{0, 0, 0, 0},  {-1, 0, 0, 0},  {0, -1, 0, 0},  {-1, -1, 0, 0},
-                                            {0, 0, -1, 0}, {-1, 0, -1, 0}, {0, -1, -1, 0}, {-1, -1, -1, 0}};
+    static constexpr AxesMask kHalves[8] = {{0, 0, 0, 0},   {-1, 0, 0, 0},   {0, -1, 0, 0},   {-1, -1, 0, 0},
+                                            {0, 0, -1, -1}, {-1, 0, -1, -1}, {0, -1, -1, -1}, {-1, -1, -1, -1}};
     Axes near_, middle_, far_;
-    Real exit_;
+    Real enter_, exit_;
     unsigned half_;  ///< bit a: in the far half along axis a
 };
 
@@ -102,13 +118,14 @@ private:
 int octants_along(const Slabs& node, unsigned mirror, Span span, std::array<Octant, 4>& octants) {
     //> 4.7 The middle planes are passed half-way between near and far. The ray begins in the far half along every axis
     //>   whose middle it has passed before it enters; then it changes halves along the axis that it leaves first.
-    if (!(std::max(span.enter, node.enter()) <= std::min(span.exit, node.exit()))) return 0;
-    Passage passage(axes(node.near), axes(node.far), span);
+    const Real enter = std::max(span.enter, node.enter()), exit = std::min(span.exit, node.exit());
+    if (!(enter <= exit)) return 0;
+    Passage passage(octree::axes(node.near), octree::axes(node.far), enter, exit);
     int count = 0;
     do
         octants[static_cast<std::size_t>(count++)] = {passage.octant(mirror),
                                                       {vec3(passage.near()), vec3(passage.far())}};
-    while (passage.go_on(span.exit));
+    while (passage.go_on(exit));
     return count;
     //< 4.7
 }
@@ -121,7 +138,7 @@ using octree::Tree;
 
 // ---- Build ----------------------------------------------------------------------------------------------------------
 
-constexpr std::size_t kMostInLeaf = 16;
+constexpr std::size_t kMostInLeaf = 48;
 constexpr int kMostDeep = 20;
 /// Along the way to a leaf the lists together may grow by this factor: a leaf's share of all entries is its length over
 /// the growth on its way, and the shares add up to one entry a primitive, so there are at most kMostGrowth of them.
@@ -248,8 +265,7 @@ public:
         box_ = contents.box;
         slack_ = contents.slack;
         if (!contents.inside.empty()) tree_ = Builder(tester_, contents).build();
-        tree_.families.shrink_to_fit();
-        tree_.items.shrink_to_fit();
+        tree_.finish();
         boxes_.resize((tree_.items.size() + wide::kWidth - 1) / wide::kWidth);
         in_parallel_each(tree_.items.size(), [&](std::size_t i) {
             boxes_[i / wide::kWidth].set(i % wide::kWidth, wide::rounded_outwards(contents.bounds[tree_.items[i]]));
@@ -310,30 +326,46 @@ private:
             return false;
         };
         struct Open {
-            std::uint32_t family;
-            Passage passage;
+            Node node;
+            Passage passage;  ///< stands at an octant that is still to be entered
         };
         const OctreeRay seen = octree_ray(box_, ray);
-        std::array<Open, kMostDeep> stack;  // what is open on the way down
+        const auto find = [&](Open& open) { return open.passage.find(open.node.children(), seen.mirror, far); };
+        const auto ask_items = [&](const Node& leaf) {
+            return range.min < 0 ? ask_all_of(leaf, far, ask) : ask_leaf(leaf);
+        };
+        Axes near = octree::axes(seen.root.near), leave = octree::axes(seen.root.far);
+        Real enter = std::max(range.min, octree::largest(near)), exit = octree::smallest(leave);
+        if (!(enter <= std::min(far, exit))) return false;
+        if constexpr (kWatched) watch(tree_.root, {vec3(near), vec3(leave)}, ray);
+        if (tree_.root.is_leaf()) return ask_items(tree_.root);
+
+        std::array<Open, kMostDeep> stack;  // nodes on the way down with more to enter
         std::size_t size = 0;
-        Axes near = axes(seen.root.near), leave = axes(seen.root.far);
-        for (Node node = tree_.root;;) {
-            if (!node.is_empty() && std::max(range.min, largest(near)) <= std::min(far, smallest(leave))) {
-                if constexpr (kWatched) watch(node, {vec3(near), vec3(leave)}, ray);
-                if (!node.is_leaf())
-                    stack[size++] = {node.first, Passage(near, leave, {range.min, far})};
-                else if (range.min < 0 ? ask_all_of(node, far, ask) : ask_leaf(node))
-                    return true;
+        Open here{tree_.root, Passage(near, leave, enter, std::min(far, exit))};
+        for (bool has_more = find(here);;) {
+            if (!has_more) {
+                if (size == 0) return false;
+                here = stack[--size];
             }
-            if (size == 0) return false;
-            auto& [family, passage] = stack[size - 1];
-            node = tree_.families[family].children[passage.octant(seen.mirror)];
-            near = passage.near();
-            leave = passage.far();
-            if (passage.go_on(far))
-                fetch(tree_.families[family].children[passage.octant(seen.mirror)]);  // while this one is asked
-            else
-                --size;
+            const octree::Family& family = tree_.families[here.node.first];
+            const Node node = family.children[here.passage.octant(seen.mirror)];
+            near = here.passage.near();
+            leave = here.passage.far();
+            enter = here.passage.enter();
+            exit = octree::smallest(leave);
+            has_more = here.passage.go_on(far) && find(here);
+            if (has_more) fetch(family.children[here.passage.octant(seen.mirror)]);  // while this one is asked
+            if (!(enter <= std::min(far, exit))) continue;
+            if constexpr (kWatched) watch(node, {vec3(near), vec3(leave)}, ray);
+            if (node.is_leaf()) {
+                if (ask_items(node)) return true;
+                continue;
+            }
+            if (has_more) stack[size++] = here;
+            here.node = node;
+            here.passage = Passage(near, leave, enter, std::min(far, exit));
+            has_more = find(here);
         }
     }
 

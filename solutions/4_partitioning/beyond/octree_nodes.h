@@ -9,10 +9,11 @@ namespace rays::octree {
 
 struct Node {
     std::uint32_t first = 0;  ///< of a leaf: into items; else the family of its eight children
-    std::uint32_t count = 0;  ///< of a leaf: how many items
-    bool is_leaf() const { return count != kInner; }
+    std::uint32_t count = 0;  ///< of a leaf: how many items; else kInner, and a bit for each child that is not empty
+    bool is_leaf() const { return count < kInner; }
     bool is_empty() const { return count == 0; }
-    static constexpr std::uint32_t kInner = 0xffffffff;
+    unsigned children() const { return count & 0xff; }
+    static constexpr std::uint32_t kInner = 0xffffff00;
 };
 
 struct alignas(64) Family {
@@ -44,6 +45,20 @@ struct Tree {
     void make_leaf(Place place, const std::vector<std::uint32_t>& list) {
         at(place) = {static_cast<std::uint32_t>(items.size()), static_cast<std::uint32_t>(list.size())};
         items.insert(items.end(), list.begin(), list.end());
+    }
+
+    /// Once all is there: tells every node which of its children there are, and gives back what is left of the memory.
+    void finish() {
+        const auto count_children = [&](Node& node) {
+            if (node.is_leaf()) return;
+            for (unsigned o = 0; o < 8; ++o)
+                if (!families[node.first].children[o].is_empty()) node.count |= 1u << o;
+        };
+        count_children(root);
+        for (Family& family : families)
+            for (Node& node : family.children) count_children(node);
+        families.shrink_to_fit();
+        items.shrink_to_fit();
     }
 
     /// Puts a tree that was made by itself where its root belongs.
