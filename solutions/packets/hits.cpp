@@ -13,39 +13,32 @@ void PacketIntersector::complete(const Rays& rays, const Found& found, Wanted wa
     hits.point.set(Mask::of(kAllLanes), point);
     for (unsigned rest = hits.are; rest != 0;) {
         const double first = primitive[std::countr_zero(rest)];
-        const auto number = static_cast<std::uint32_t>(first);
         const Mask lanes = found.primitive == Reals(first);
-        complete(number, lanes, rays, found, hits);
-        if (wanted == Wanted::normals && has_packet_test(number)) set_normals(number, lanes, found, hits);
+        complete(static_cast<std::uint32_t>(first), lanes, rays, found, wanted, hits);
         rest &= ~lanes.bits();
     }
 }
 
-/// All but the normals that set_normals() knows.
 void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays& rays, const Found& found,
-                                 Hits& hits) const {
-    const std::uint32_t object = hierarchy_->tester.primitive(primitive).object;
+                                 Wanted wanted, Hits& hits) const {
+    const Primitive p = hierarchy_->tester.primitive(primitive);
+    const Scene& s = scene();
+    const Object& object = s.objects[p.object];
     if (!has_packet_test(primitive)) {
         const SpreadRays single(rays);
-        each_lane(lanes.bits(), [&](int i) { hits.set(i, complete_hit(scene(), object, single[i], found.root(i))); });
+        each_lane(lanes.bits(), [&](int i) { hits.set(i, complete_hit(s, p.object, single[i], found.root(i))); });
         return;
     }
     const std::uint32_t material = material_of(primitive);
     each_lane(lanes.bits(), [&](int i) {
-        hits.object[i] = object;
+        hits.object[i] = p.object;
         hits.material[i] = material;
     });
-}
-
-/// Of a shape with a packet test.
-void PacketIntersector::set_normals(std::uint32_t primitive, Mask lanes, const Found& found, Hits& hits) const {
-    const Primitive p = hierarchy_->tester.primitive(primitive);
-    const Scene& s = scene();
-    const Object& object = s.objects[p.object];
+    if (wanted == Wanted::places) return;
     const Transform* transform = object.transform == kNone ? nullptr : &s.transforms[object.transform];
     const Vec3s world = hits.point.load();
     const Vec3s point = transform ? times(transform->inverse_linear, world) + Vec3s(transform->inverse_offset) : world;
-    const auto set = [&](Vec3s n) {
+    const auto set_normals = [&](Vec3s n) {
         if (transform) n = normalize(times(glm::transpose(transform->inverse_linear), n));
         hits.normal.set(lanes, n);
     };
@@ -53,29 +46,29 @@ void PacketIntersector::set_normals(std::uint32_t primitive, Mask lanes, const F
     const auto unit = [&](const Vec3s& n) { return transform ? n : normalize(n); };
     const auto flat = [](const Triangle& t) { return Vec3s(glm::normalize(glm::cross(t.b - t.a, t.c - t.a))); };
     switch (object.kind) {
-        case ShapeKind::sphere: set(unit(normal(s.spheres[object.shape], point))); break;
-        case ShapeKind::plane: set(unit(s.planes[object.shape].normal)); break;
-        case ShapeKind::disc: set(unit(s.discs[object.shape].normal)); break;
-        case ShapeKind::polygon: set(unit(s.polygons[object.shape].plane.normal)); break;
-        case ShapeKind::triangle: set(flat(s.triangles[object.shape])); break;
-        case ShapeKind::cone: set(unit(normal(s.cones[object.shape], point, found.part))); break;
+        case ShapeKind::sphere: set_normals(unit(normal(s.spheres[object.shape], point))); break;
+        case ShapeKind::plane: set_normals(unit(s.planes[object.shape].normal)); break;
+        case ShapeKind::disc: set_normals(unit(s.discs[object.shape].normal)); break;
+        case ShapeKind::polygon: set_normals(unit(s.polygons[object.shape].plane.normal)); break;
+        case ShapeKind::triangle: set_normals(flat(s.triangles[object.shape])); break;
+        case ShapeKind::cone: set_normals(unit(normal(s.cones[object.shape], point, found.part))); break;
         case ShapeKind::smooth_triangle: {
             const SmoothTriangle& t = s.smooth_triangles[object.shape];
-            set(normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
+            set_normals(normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
             break;
         }
         case ShapeKind::mesh: {
             const Mesh& mesh = s.meshes[object.shape];
             const Mesh::Face& face = mesh.faces[p.part];
             const auto [a, b, c] = face.normal;
-            set(face.smooth
-                    ? normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u, found.v))
-                    : flat(triangle_of(mesh, p.part)));
+            set_normals(face.smooth ? normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u,
+                                                            found.v))
+                                    : flat(triangle_of(mesh, p.part)));
             break;
         }
-        case ShapeKind::quadric: set(unit(normal(s.quadrics[object.shape], point))); break;
-        case ShapeKind::torus: set(unit(normal(s.tori[object.shape], point))); break;
-        default: set(unit(box_normal(found.part))); break;
+        case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
+        case ShapeKind::torus: set_normals(unit(normal(s.tori[object.shape], point))); break;
+        default: set_normals(unit(box_normal(found.part))); break;
     }
 }
 

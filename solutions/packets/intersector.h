@@ -79,8 +79,8 @@ private:
     bool keep_nearer(std::uint32_t primitive, const Asked& asked, Found& found) const;
     Mask blocked_by(std::uint32_t primitive, const Asked& asked, Mask open) const;
     void complete(const Rays& rays, const Found& found, Wanted wanted, Hits& hits) const;
-    void complete(std::uint32_t primitive, Mask lanes, const Rays& rays, const Found& found, Hits& hits) const;
-    void set_normals(std::uint32_t primitive, Mask lanes, const Found& found, Hits& hits) const;
+    void complete(std::uint32_t primitive, Mask lanes, const Rays& rays, const Found& found, Wanted wanted,
+                  Hits& hits) const;
 
     std::shared_ptr<const wide::Hierarchy> hierarchy_;
     std::unique_ptr<wide::SingleRays> single_;
