@@ -59,4 +59,4 @@ def walk(name, scene, pixel):
 
 costs("costs", "sphereflake_4.pov", ["grid", "octree"], 100, 1)
 costs("stadium", "teapot_in_a_stadium.pov", ["grid", "octree"], 8000, 0.25)
-walk("walk", "sphereflake_3.pov", "60,60")
+walk("walk", "sphereflake_4.pov", "60,60")
