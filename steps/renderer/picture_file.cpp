@@ -37,7 +37,8 @@ public:
         ::close(ends[1]);
         if (problem != 0) {
             ::close(socket_);
-            throw InputError("only .exr can be written: " + program + ": " + std::strerror(problem));
+            throw InputError("only .exr can be written: " + program + ": " + std::strerror(problem) +
+                             "; ./rays render builds it");
         }
     }
     ~Formats() { ::close(socket_); }

@@ -2,7 +2,7 @@
 // task has too few; another seed asks others; nonsense is never right.
 //
 // Measured false alarms of the solution, as they are now: questions 0 of 1,000 seeds in steps 1 and 4, 0 of 10,000 in
-// steps 2 and 3; sweeps 0 of 1,000 in steps 1 to 3; fresh scenes 0 of 400 seeds of every task; questions and sweeps of
+// steps 2 and 3; sweeps 0 of 1,000 in steps 1 to 3; fresh scenes 0 of 1,000 seeds of every task; questions and sweeps of
 // step 5, which claim what holds but for chance beyond six standard deviations, 0 of 104 seeds. Before, 3.8 failed for
 // one seed of 10,000 and 3.10 for two: a thousand seeds do not find such ties, reading the questions does.
 #include <fmt/format.h>
