@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "packets/float_masks.h"
+
 // glibc's vector library (libmvec), by the names of the x86-64 vector ABI: eight doubles, AVX-512. Of 48 million
 // results none differed from those of four doubles.
 extern "C" __m512d _ZGVeN8vv_pow(__m512d, __m512d);
@@ -80,18 +82,9 @@ inline Reals fma(Reals a, Reals b, Reals c) { return _mm512_fmadd_pd(a.v, b.v, c
 inline Reals pow(Reals a, Reals b) { return _ZGVeN8vv_pow(a.v, b.v); }
 inline Reals exp(Reals a) { return _ZGVeN8v_exp(a.v); }
 
-/// A mask as floats see it.
-using FloatMask = __mmask8;
+/// As floats see it.
 inline FloatMask narrow(Mask m) { return m.set; }
 /// As doubles see it.
 inline Mask widen(FloatMask mask) { return {mask}; }
-template <int how>
-FloatMask compared(__m256 a, __m256 b) {
-    return _mm256_cmp_ps_mask(a, b, how);
-}
-inline __m256 select(FloatMask where, __m256 then, __m256 otherwise) {
-    return _mm256_mask_blend_ps(where, otherwise, then);
-}
-inline unsigned bits_of(FloatMask mask) { return mask; }
 
 }  // namespace rays::packets

@@ -2,6 +2,7 @@
 // full registers slow down what is done in halves beside them (NOTES.md).
 #pragma once
 
+#include "packets/float_masks.h"
 #include "packets/reals_in_pairs.h"
 
 namespace rays::packets {
@@ -38,18 +39,9 @@ inline Reals select(Mask where, Reals then, Reals otherwise) {
             _mm256_mask_blend_pd(where.hi, otherwise.hi, then.hi)};
 }
 
-/// A mask as floats see it.
-using FloatMask = __mmask8;
+/// As floats see it.
 inline FloatMask narrow(Mask m) { return static_cast<FloatMask>(m.bits()); }
 /// As doubles see it.
 inline Mask widen(FloatMask mask) { return Mask::of(mask); }
-template <int how>
-FloatMask compared(__m256 a, __m256 b) {
-    return _mm256_cmp_ps_mask(a, b, how);
-}
-inline __m256 select(FloatMask where, __m256 then, __m256 otherwise) {
-    return _mm256_mask_blend_ps(where, otherwise, then);
-}
-inline unsigned bits_of(FloatMask mask) { return mask; }
 
 }  // namespace rays::packets
