@@ -45,8 +45,8 @@ struct Hierarchy {
             if (!bounds.is_finite())
                 unbounded.push_back(i);
             else
-                items.push_back({widened(without_clipped(scene, scene.objects[tester.primitive(i).object], bounds)), i,
-                                 leaf_kind(scene, tester.primitive(i))});
+                items.emplace_back(widened(without_clipped(scene, scene.objects[tester.primitive(i).object], bounds)),
+                                   i, leaf_kind(scene, tester.primitive(i)));
         }
         tree = Builder(tester, std::move(items), most_in_leaf).collapsed();
     }

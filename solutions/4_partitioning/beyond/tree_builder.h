@@ -1,8 +1,7 @@
 // How the hierarchy is built.
 //
-// Binned surface area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), binary
-// first, then collapsed to eight children in the way that costs least (Ylitie, Karras, Laine, "Efficient Incoherent Ray
-// Traversal on GPUs Through Compressed Wide BVHs", 2017, section 3.1).
+// Binary first, then collapsed to eight children in the way that costs least (Ylitie, Karras, Laine, "Efficient
+// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", 2017, section 3.1).
 #pragma once
 
 #include <algorithm>
@@ -12,17 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "4_partitioning/beyond/best_split.h"
 #include "4_partitioning/beyond/wide_tree.h"
 
 namespace rays::wide {
-
-/// What goes into the tree.
-struct Item {
-    FloatBox box;
-    std::uint32_t primitive;
-    LeafKind kind;
-    float center(int a) const { return box.lo[a] + box.hi[a]; }  // twice the centre: only compared
-};
 
 class Builder {
 public:
@@ -54,21 +46,6 @@ private:
         /// at k - 1; 0 where it is best a child itself.
         std::array<std::uint8_t, kWidth> from_left{1, 1, 1, 1, 1, 1, 1, 1};
     };
-    struct Bin {
-        FloatBox box;
-        std::uint32_t count = 0;
-        float cost = 0;
-    };
-    struct Plane {
-        int axis = -1;
-        std::uint32_t bin = 0;
-        float cost = kMaxFloat;
-    };
-
-    /// Fine ones are worth it among many (random triangles: 0.97 of a ray's time); among few they only take time.
-    static constexpr std::uint32_t kMostBins = 32;
-    static std::uint32_t bins_for(std::uint32_t count) { return count < 512 ? kMostBins / 2 : kMostBins; }
-
     static constexpr std::uint32_t kParallelFrom = 8192;  ///< below, a thread costs more than it saves
 
     /// Of asking a primitive, where opening a pair of boxes is 1; measured (NOTES.md).
@@ -82,26 +59,24 @@ private:
     void split(std::uint32_t index, std::uint32_t begin, std::uint32_t end, int depth) {
         BinaryNode& node = nodes_[index];
         node = {};
-        FloatBox centers;
-        std::optional<LeafKind> kind = items_[begin].kind;
+        Corners corners, centers;
+        std::optional<LeafKind> kind = items_[begin].kind();
         for (std::uint32_t i = begin; i < end; ++i) {
-            node.box.add(items_[i].box);
-            FloatBox c;
-            for (int a = 0; a < 3; ++a) c.lo[a] = c.hi[a] = items_[i].center(a);
-            centers.add(c);
-            if (kind) kind = together(*kind, items_[i].kind);
+            corners.add(items_[i].corners());
+            centers.add(items_[i].center());
+            if (kind) kind = together(*kind, items_[i].kind());
         }
+        node.box = corners.box();
         node.begin = begin;
         node.end = end;
         const std::uint32_t count = end - begin;
         if (count == 1 || (kind && count <= most_in_leaf(*kind))) return;
-        const Plane plane = best_plane(begin, end, centers);
+        const Bins bins(centers, count);
+        const Split best = bins.best_split({&items_[begin], count}, cost_of);
         std::uint32_t middle = begin + count / 2;
-        if (plane.axis >= 0 && depth < 64) {
+        if (best.axis >= 0 && depth < 64) {
             const auto first = items_.begin() + begin, last = items_.begin() + end;
-            const auto mid = std::partition(first, last, [&](const Item& item) {
-                return bin_of(item, plane.axis, centers, bins_for(count)) <= plane.bin;
-            });
+            const auto mid = std::partition(first, last, [&](const Item& item) { return bins.is_before(best, item); });
             middle = static_cast<std::uint32_t>(mid - items_.begin());
         }  // else all centres coincide: any halves will do
         node.right = index + 2 * (middle - begin);
@@ -115,44 +90,6 @@ private:
             split(index + 1, begin, middle, depth + 1);
             split(node.right, middle, end, depth + 1);
         }
-    }
-
-    static std::uint32_t bin_of(const Item& item, int axis, const FloatBox& centers, std::uint32_t bins) {
-        const float extent = centers.hi[axis] - centers.lo[axis];
-        const float place = (item.center(axis) - centers.lo[axis]) / extent * static_cast<float>(bins);
-        return std::min(bins - 1, static_cast<std::uint32_t>(place));
-    }
-
-    Plane best_plane(std::uint32_t begin, std::uint32_t end, const FloatBox& centers) const {
-        Plane best;
-        const std::uint32_t bin_count = bins_for(end - begin);
-        for (int axis = 0; axis < 3; ++axis) {
-            const float extent = centers.hi[axis] - centers.lo[axis];
-            if (!(extent > 0) || !(extent < kMaxFloat)) continue;
-            std::array<Bin, kMostBins> bins;
-            for (std::uint32_t i = begin; i < end; ++i) {
-                Bin& bin = bins[bin_of(items_[i], axis, centers, bin_count)];
-                bin.box.add(items_[i].box);
-                ++bin.count;
-                bin.cost += cost_of(items_[i].kind);
-            }
-            std::array<float, kMostBins> from_right;
-            Bin right;
-            for (std::uint32_t i = bin_count - 1; i > 0; --i) {
-                right.box.add(bins[i].box);
-                right.cost += bins[i].cost;
-                from_right[i] = right.cost * right.box.half_area();
-            }
-            Bin left;
-            for (std::uint32_t i = 0; i + 1 < bin_count; ++i) {
-                left.box.add(bins[i].box);
-                left.count += bins[i].count;
-                left.cost += bins[i].cost;
-                const float cost = left.cost * left.box.half_area() + from_right[i + 1];
-                if (left.count > 0 && left.count < end - begin && cost < best.cost) best = {axis, i, cost};
-            }
-        }
-        return best;
     }
 
     bool is_leaf(std::uint32_t index) const { return nodes_[index].right == 0; }
@@ -224,8 +161,8 @@ private:
     }
 
     LeafKind kind_of(const BinaryNode& leaf) const {
-        LeafKind kind = items_[leaf.begin].kind;
-        for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) kind = *together(kind, items_[k].kind);
+        LeafKind kind = items_[leaf.begin].kind();
+        for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) kind = *together(kind, items_[k].kind());
         return kind;
     }
 
@@ -253,7 +190,7 @@ private:
             case LeafKind::list: break;
         }
         List list;
-        for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) list.primitive[list.count++] = items_[k].primitive;
+        for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) list.primitive[list.count++] = items_[k].primitive();
         return tree.add(Child::Kind::list, list);
     }
 
@@ -261,9 +198,9 @@ private:
     Block block_of(const BinaryNode& leaf) const {
         Block block;
         for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
-            const std::uint32_t primitive = items_[k].primitive;
+            const std::uint32_t primitive = items_[k].primitive();
             const std::uint32_t shape = tester_.dispatch(primitive).shape;
-            if (items_[k].kind == LeafKind::spheres)
+            if (items_[k].kind() == LeafKind::spheres)
                 put(block, tester_.scene().spheres[shape], primitive);
             else if constexpr (std::is_same_v<Block, ConeBlock>)
                 put(block, tester_.scene().cones[shape], primitive);
@@ -274,7 +211,7 @@ private:
     TriangleBlock triangles(const BinaryNode& leaf) const {
         TriangleBlock block;
         for (std::uint32_t k = leaf.begin; k < leaf.end; ++k) {
-            const std::uint32_t primitive = items_[k].primitive;
+            const std::uint32_t primitive = items_[k].primitive();
             put(block, triangle_of(tester_.scene(), tester_.primitive(primitive)), primitive);
         }
         put_faces(block);
