@@ -128,14 +128,14 @@ std::optional<Root> intersect(const Box& box, const Ray& ray, Interval range) {
     // Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986.
     Root enter{-kInfinity}, leave{kInfinity};
     for (int axis = 0; axis < 3; ++axis) {
-        const Real o = ray.origin[axis], d = ray.direction[axis];
-        if (d == 0) {
+        const Real o = ray.origin[axis], inverse = 1 / ray.direction[axis];
+        if (std::isinf(inverse)) {
             if (!(o >= box.min[axis] && o <= box.max[axis])) return std::nullopt;
             continue;
         }
         const auto side = 2 * static_cast<std::uint32_t>(axis);
-        Root near{(box.min[axis] - o) / d, Vec2(0), side}, far{(box.max[axis] - o) / d, Vec2(0), side + 1};
-        if (d < 0) std::swap(near, far);
+        Root near{(box.min[axis] - o) * inverse, Vec2(0), side}, far{(box.max[axis] - o) * inverse, Vec2(0), side + 1};
+        if (inverse < 0) std::swap(near, far);
         if (!(near.t <= far.t)) return std::nullopt;  // NaN
         if (near.t > enter.t) enter = near;
         if (far.t < leave.t) leave = far;

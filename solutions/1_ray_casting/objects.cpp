@@ -189,7 +189,7 @@ std::optional<Root> intersect_part(const Scene& scene, const Object& object, std
 Hit complete_hit(const Scene& scene, std::uint32_t object_index, const Ray& ray, const Root& root) {
     const Object& object = scene.objects[object_index];
     const Transform* transform = object.transform == kNone ? nullptr : &scene.transforms[object.transform];
-    const auto to_world = [&](const Vec3& n) { return glm::normalize(transform ? normal_to_world(*transform, n) : n); };
+    const auto to_world = [&](const Vec3& n) { return unit(transform ? normal_to_world(*transform, n) : n); };
 
     Hit hit{root.t, ray.at(root.t)};
     hit.object = object_index;

@@ -40,15 +40,18 @@ std::optional<RootPair> quadratic_roots(Real a, Real b, Real c) {
 }
 
 std::optional<Root> first_in_range(const RootPair& roots, Interval range) {
-    if (range.contains(roots.first)) return Root{roots.first};
-    if (range.contains(roots.second)) return Root{roots.second};
-    return std::nullopt;
+    std::optional<Root> root;  // filled in place: who copies it at once waits for its parts
+    if (range.contains(roots.first))
+        root.emplace().t = roots.first;
+    else if (range.contains(roots.second))
+        root.emplace().t = roots.second;
+    return root;
 }
 
 /// The parameter of the ray's point nearest to `point`. Equations set up there have coefficients of the size of the
 /// shape, not of its distance: what Haines et al. do for the sphere helps every quadric.
 Real nearest_parameter(const Ray& ray, const Vec3& point) {
-    return dot(point - ray.origin, ray.direction) / dot(ray.direction, ray.direction);
+    return dot(point - ray.origin, ray.direction) * (1 / dot(ray.direction, ray.direction));
 }
 
 }  // namespace
@@ -59,22 +62,21 @@ std::optional<Root> intersect(const Sphere& sphere, const Ray& ray, Interval ran
     // Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, ch. 7:
     // r^2 - |l|^2, l from the centre to the ray, instead of b^2 - |d|^2 c, which loses all digits for far spheres.
     const Vec3 to_center = sphere.center - ray.origin;
-    const Real d2 = dot(ray.direction, ray.direction);
+    const Real d2 = dot(ray.direction, ray.direction), inverse_d2 = 1 / d2;
     const Real b = dot(to_center, ray.direction);
-    const Vec3 l = to_center - (b / d2) * ray.direction;
+    const Vec3 l = to_center - (b * inverse_d2) * ray.direction;
     const Real half_chord2 = sphere.radius * sphere.radius - dot(l, l);
     if (!(half_chord2 > 0)) return std::nullopt;
     const Real q = b + std::copysign(std::sqrt(d2 * half_chord2), b);
-    const Real distance = std::sqrt(dot(to_center, to_center));
-    const Real c = (distance - sphere.radius) * (distance + sphere.radius);
-    const auto [first, second] = std::minmax({q / d2, c / q});
+    const Real c = dot(to_center, to_center) - sphere.radius * sphere.radius;
+    const auto [first, second] = std::minmax({q * inverse_d2, c / q});
     return first_in_range({first, second}, range);
     //< 1.3
 }
 
 Vec3 normal(const Sphere& sphere, const Vec3& point, const Root&) {
     //> 1.3 Outwards.
-    return point - sphere.center;
+    return (point - sphere.center) * (1 / sphere.radius);
     //< 1.3
 }
 
@@ -91,11 +93,11 @@ struct ConeOnRay {
 
     ConeOnRay(const Cone& cone, const Ray& ray) {
         const Vec3 axis = cone.cap - cone.base;
-        const Real height2 = dot(axis, axis);
+        const Real inverse_height2 = 1 / dot(axis, axis);
         shift = nearest_parameter(ray, cone.base + Real(0.5) * axis);
         const Vec3 from_base = ray.at(shift) - cone.base;
-        s0 = dot(from_base, axis) / height2;
-        ds = dot(ray.direction, axis) / height2;
+        s0 = dot(from_base, axis) * inverse_height2;
+        ds = dot(ray.direction, axis) * inverse_height2;
         from_axis = from_base - s0 * axis;
         across = ray.direction - ds * axis;
         const Real slope = cone.cap_radius - cone.base_radius;
@@ -124,8 +126,9 @@ struct Chord {
 /// Between the planes of base and cap.
 std::optional<Chord> between_the_ends(const ConeOnRay& c) {
     Chord chord;
-    if (c.ds == 0) return c.s0 >= 0 && c.s0 <= 1 ? std::optional(chord) : std::nullopt;
-    const End base{-c.s0 / c.ds, 1}, cap{(1 - c.s0) / c.ds, 2};
+    const Real inverse_ds = 1 / c.ds;
+    if (std::isinf(inverse_ds)) return c.s0 >= 0 && c.s0 <= 1 ? std::optional(chord) : std::nullopt;
+    const End base{-c.s0 * inverse_ds, 1}, cap{(1 - c.s0) * inverse_ds, 2};
     chord.enter = c.ds > 0 ? base : cap;
     chord.leave = c.ds > 0 ? cap : base;
     return chord;
@@ -182,11 +185,11 @@ Vec3 normal(const Cone& cone, const Vec3& point, const Root& root) {
     const Vec3 axis = cone.cap - cone.base;
     if (root.part == 1) return -axis;
     if (root.part == 2) return axis;
-    const Real height2 = dot(axis, axis);
-    const Real s = dot(point - cone.base, axis) / height2;
+    const Real inverse_height2 = 1 / dot(axis, axis);
+    const Real s = dot(point - cone.base, axis) * inverse_height2;
     const Real slope = cone.cap_radius - cone.base_radius;
     const Vec3 from_axis = point - cone.base - s * axis;
-    const Vec3 gradient = from_axis - ((cone.base_radius + slope * s) * slope / height2) * axis;
+    const Vec3 gradient = from_axis - ((cone.base_radius + slope * s) * (slope * inverse_height2)) * axis;
     return dot(gradient, gradient) > 0 ? gradient : (slope > 0 ? -axis : axis);  // the apex has no normal: any will do
     //< 1.8
 }

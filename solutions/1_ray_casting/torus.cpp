@@ -105,8 +105,8 @@ public:
         const Real half2 = outer * outer - dot(o_, o_);
         if (!(half2 > 0)) return {0, 0};
         Real low = -std::sqrt(half2), high = -low;
-        if (d_.y != 0) {
-            const Real first = (-tube - o_.y) / d_.y, second = (tube - o_.y) / d_.y;
+        if (const Real inverse = 1 / d_.y; !std::isinf(inverse)) {
+            const Real first = (-tube - o_.y) * inverse, second = (tube - o_.y) * inverse;
             low = std::max(low, std::min(first, second));
             high = std::min(high, std::max(first, second));
         } else if (!(std::abs(o_.y) <= tube)) {
@@ -129,9 +129,9 @@ std::optional<Root> intersect(const Torus& torus, const Ray& ray, Interval range
     //>   range into pieces where F' is monotone, the roots of F' into pieces where F is. Two roots close together
     //>   must both be found, and no root must be found twice.
     if (torus.major == 0) return intersect(Sphere{Vec3(0), torus.minor}, ray, range);  // F is a square: no sign changes
-    const Real length = glm::length(ray.direction);
-    const Real shift = -dot(ray.origin, ray.direction) / (length * length);
-    const TorusOnRay on_ray(torus, ray.at(shift), ray.direction / length);
+    const Real length = glm::length(ray.direction), inverse_length = 1 / length;
+    const Real shift = -dot(ray.origin, ray.direction) * (inverse_length * inverse_length);
+    const TorusOnRay on_ray(torus, ray.at(shift), inverse_length * ray.direction);
     const Interval near = on_ray.near_part((range.min - shift) * length);
     if (!(near.min < std::min(near.max, (range.max - shift) * length))) return std::nullopt;
 
@@ -153,7 +153,7 @@ std::optional<Root> intersect(const Torus& torus, const Ray& ray, Interval range
 
     std::optional<Root> first;
     each_root(extrema, [&](Real u) { return on_ray.surface(u); }, [&](Real u) {
-        const Root root{shift + u / length};
+        const Root root{shift + u * inverse_length};
         if (range.contains(root.t)) first = root;
         return root.t >= range.max || first.has_value();
     });

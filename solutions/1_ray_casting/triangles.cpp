@@ -60,11 +60,11 @@ std::optional<Root> intersect_sheared(const Vec3& a, const Vec3& b, const Vec3& 
     const Real wa = edge_function(b, c), wb = edge_function(c, a), wc = edge_function(a, b);
     std::optional<Root> root;  // filled in place: who copies it at once waits for its parts
     if (std::min({wa, wb, wc}) < 0 && std::max({wa, wb, wc}) > 0) return root;
-    const Real sum = wa + wb + wc, t = (wa * a.z + wb * b.z + wc * c.z) / sum;  // edge-on: 0 / 0, in no interval
+    const Real inverse = 1 / (wa + wb + wc), t = (wa * a.z + wb * b.z + wc * c.z) * inverse;  // edge-on: in no interval
     if (range.contains(t)) {
         root.emplace();
         root->t = t;
-        root->uv = Vec2(wb, wc) / sum;
+        root->uv = inverse * Vec2(wb, wc);
     }
     return root;
 }

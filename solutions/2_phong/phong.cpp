@@ -163,7 +163,7 @@ Real fading(const Light& light, Real distance) {
     //> 2.6 How light fades with distance: 2 / (1 + (distance / fade_distance)^fade_power) when both are positive;
     //>   without them it does not: 1.
     if (!(light.fade_power > 0) || !(light.fade_distance > Real(1e-10))) return 1;
-    const Real relative = std::abs(distance) / light.fade_distance;
+    const Real relative = std::abs(distance) * (1 / light.fade_distance);
     const Real grown = light.fade_power == 2 ? relative * relative : std::pow(relative, light.fade_power);
     return 2 / (1 + grown);
     //< 2.6
@@ -197,7 +197,7 @@ Illumination illuminate(const Light& light, const Vec3& point) {
         const Vec3 to_light = light.location - point;
         result.distance = glm::length(to_light);
         if (!(result.distance > 0)) return result;
-        result.to_light = to_light / result.distance;
+        result.to_light = (1 / result.distance) * to_light;
     }
     result.radiance = static_cast<float>(fading(light, result.distance) * cone_of_light(light, point)) * light.color;
     return result;

@@ -40,7 +40,7 @@ World make_world(const Scene& scene, const Intersector& intersector) {
 
 Vec3 reflect(const Vec3& direction, const Vec3& normal) {
     //> 3.1 d - 2 (d . n) n, normalised: errors of rounding would grow with every bounce.
-    return glm::normalize(direction - 2 * dot(direction, normal) * normal);
+    return unit(direction - 2 * dot(direction, normal) * normal);
     //< 3.1
 }
 
@@ -55,7 +55,7 @@ std::optional<Vec3> refract(const Vec3& direction, const Vec3& normal, Real rela
     // 1 - eta^2 (1 - c^2), in a form that keeps c^2 whole where eta is 1, however grazing.
     const Real cos2 = (1 - eta) * (1 + eta) + eta * eta * cos_incident * cos_incident;
     if (!(cos2 >= 0)) return std::nullopt;
-    return glm::normalize(eta * direction + (eta * cos_incident - std::sqrt(cos2)) * normal);
+    return unit(eta * direction + (eta * cos_incident - std::sqrt(cos2)) * normal);
     //< 3.2
 }
 
@@ -68,9 +68,10 @@ Real fresnel(Real cos_incident, Real relative_ior) {
     const Real g2 = (relative_ior - 1) * (relative_ior + 1) + c * c;
     if (!(g2 > 0)) return 1;
     const Real g = std::sqrt(g2);
-    const Real s = (g - c) / (g + c);
-    const Real p = (c * (g + c) - 1) / (c * (g - c) + 1);
-    return std::clamp(Real(0.5) * s * s * (1 + p * p), Real(0), Real(1));
+    // With one division for both quotients, s / r and q / p.
+    const Real s = g - c, r = g + c, q = c * r - 1, p = c * s + 1;
+    const Real over_both = s / (r * p);
+    return std::clamp(Real(0.5) * over_both * over_both * (p * p + q * q), Real(0), Real(1));
     //< 3.3
 }
 
@@ -140,7 +141,7 @@ Real fresnel_ior(const Scene& scene, const Inside& inside, Medium medium) {
 Radiance absorption(const Interior& interior, Real distance) {
     //> 3.6 1 when fade_distance is 0. Both laws lane by lane; fade_color is what would be left of white.
     if (!(interior.fade_distance > 0)) return Radiance(1.0f);
-    const Real relative = distance / interior.fade_distance;
+    const Real relative = distance * (1 / interior.fade_distance);
     const Radiance lost = Radiance(1.0f) - interior.fade_color;
     Radiance left;
     if (interior.fade_power >= 1000) {

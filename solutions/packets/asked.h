@@ -11,7 +11,7 @@ class Asked {
 public:
     /// Rays that are not `open` do not count, nor what lies behind `nearest`. Both may change.
     Asked(const Rays& rays_, const Span& span_, Mask lanes, const Mask& open, const Reals& nearest)
-        : rays(rays_), active(lanes), span(span_), open_(open), nearest_(nearest) {}
+        : rays(rays_), active(lanes), span{span_.near, span_.far, span_.any}, open_(open), nearest_(nearest) {}
 
     /// What still counts, for shapes whose tests cost more than to tell it. Another root at `nearest` does: the number
     /// of the primitive decides.

@@ -35,12 +35,16 @@ struct Numbers {
 template <class Property>
 void take_alike(Numbers& numbers, Numbers& alike, const Property& property) {
     const auto first = property(numbers.of[0]);
-    const int count = numbers.count;
-    numbers.count = alike.count = 0;
-    for (int i = 0; i < count; ++i) {  // the list never grows beyond what has been read of it
+    int taken = 0, left = 0;
+    for (int i = 0; i < numbers.count; ++i) {  // both are written, and what left was read: no branch
         const Number n = numbers.of[i];
-        (property(n) == first ? alike : numbers).add(n);
+        const bool is_alike = property(n) == first;
+        alike.of[taken] = numbers.of[left] = n;
+        taken += is_alike;
+        left += !is_alike;
     }
+    alike.count = taken;
+    numbers.count = left;
 }
 
 /// Up to eight rays of a batch, as lanes see them.

@@ -11,18 +11,21 @@
 namespace rays::packets {
 
 /// Task 3.1.
-inline Vec3s reflected(const Vec3s& d, const Vec3s& n) { return normalize(d - (Reals(2) * dot(d, n)) * n); }
+inline Vec3s reflected(Mask lanes, const Vec3s& d, const Vec3s& n) {
+    return unit(lanes, d - (Reals(2) * dot(d, n)) * n);
+}
 
 /// Directions behind a surface, for the rays of `are`: task 3.2. The index is not 1.
 struct Refracted {
     Mask are;
     Vec3s direction;
 };
-inline Refracted refracted(const Vec3s& d, const Vec3s& n, Real relative_ior) {
+inline Refracted refracted(Mask lanes, const Vec3s& d, const Vec3s& n, Real relative_ior) {
     const Real eta = 1 / relative_ior;
     const Reals cos_incident = -dot(d, n);
     const Reals cos2 = Reals((1 - eta) * (1 + eta)) + Reals(eta * eta) * cos_incident * cos_incident;
-    return {cos2 >= Reals(0), normalize(Reals(eta) * d + (Reals(eta) * cos_incident - sqrt(cos2)) * n)};
+    const Mask are = cos2 >= Reals(0);
+    return {are, unit(lanes & are, Reals(eta) * d + (Reals(eta) * cos_incident - sqrt(cos2)) * n)};
 }
 
 /// 1 + metallic (1 - F) (color - 1) by the cosine between normal and viewer.
@@ -43,9 +46,8 @@ inline Reals fresnel(Reals c, Reals relative_ior) {
     const Reals zero(0.0), one(1);
     const Reals g2 = (relative_ior - one) * (relative_ior + one) + c * c;
     const Reals g = sqrt(g2);
-    const Reals s = (g - c) / (g + c);
-    const Reals p = (c * (g + c) - one) / (c * (g - c) + one);
-    const Reals f = Reals(0.5) * s * s * (one + p * p);
+    const Reals s = g - c, r = g + c, q = c * r - one, p = c * s + one, over_both = s / (r * p);
+    const Reals f = Reals(0.5) * over_both * over_both * (p * p + q * q);
     return select(g2 > zero, select(f < zero, zero, select(f > one, one, f)), one);
 }
 

@@ -43,6 +43,7 @@ void Tracer::prune(const Frame& f, const Chunk& chunk, unsigned rays, Floats wei
 Reals Tracer::fresnel_iors(const Frame& f, const Chunk& chunk) const {
     Medium last = medium(f, chunk.of[0]);
     Real ior = fresnel_ior(scene_, f.batch.inside, last);
+    if (std::all_of(chunk.of + 1, chunk.of + kLanes, [&](Number n) { return medium(f, n) == last; })) return ior;
     Spread iors{Reals(ior)};
     for (int i = 1; i < kLanes; ++i) {
         const Medium next = medium(f, chunk.of[i]);
@@ -112,8 +113,8 @@ void Tracer::go_through(std::size_t depth) {
     start(next, f, beyond, straight);
     each_chunk(f.alike, [&](const Chunk& chunk) {
         const Vec3s d = f.batch.direction.load(chunk);
-        const Refracted bent =
-            straight ? Refracted{Mask::of(kAllLanes), d} : refracted(d, f.normal.load(chunk), relative_ior);
+        const Refracted bent = straight ? Refracted{Mask::of(kAllLanes), d}
+                                        : refracted(Mask::of(chunk.lanes), d, f.normal.load(chunk), relative_ior);
         const unsigned passes = bent.are.bits() & chunk.lanes, reflected = chunk.lanes & ~passes;
         const Floats weight = chunk.load(f.batch.weight) * largest(f.tint.load(chunk));
         branch(f, chunk, passes, bent.direction, weight, next);
@@ -125,7 +126,8 @@ void Tracer::go_through(std::size_t depth) {
 [[gnu::noinline]] void Tracer::send_mirrored(const Frame& f, const Numbers& rays, Frame& next) {
     start(next, f, f.batch.inside, false);
     each_chunk(rays, [&](const Chunk& chunk) {
-        branch(f, chunk, chunk.lanes, reflected(f.batch.direction.load(chunk), f.normal.load(chunk)),
+        branch(f, chunk, chunk.lanes,
+               reflected(Mask::of(chunk.lanes), f.batch.direction.load(chunk), f.normal.load(chunk)),
                chunk.load(f.mirror_weight), next);
     });
 }

@@ -25,8 +25,8 @@ struct Chords {
 
 /// Between the planes of base and cap: heights s0 + u ds from 0 to 1.
 Chords between_the_ends(Reals s0, Reals ds) {
-    const Reals zero(0), base = -s0 / ds, cap = (Reals(1) - s0) / ds;
-    const Mask upwards = ds > zero, level = ds == zero;
+    const Reals zero(0), inverse = Reals(1) / ds, base = -s0 * inverse, cap = (Reals(1) - s0) * inverse;
+    const Mask upwards = ds > zero, level = abs(inverse) == Reals(kInfinity);
     Chords chords;
     chords.are = Mask::of(kAllLanes) - (level - ((s0 >= zero) & (s0 <= Reals(1))));
     chords.enter = select(level, Reals(-kInfinity), select(upwards, base, cap));
@@ -71,11 +71,12 @@ void cut_to_the_mantle(Chords& chords, const Vec3s& from_axis, const Vec3s& acro
 
 Roots intersect(const Cone& cone, const Rays& rays, const Span& span) {
     const Vec3 axis = cone.cap - cone.base;
-    const Reals height2(glm::dot(axis, axis));
+    const Reals inverse_height2(1 / glm::dot(axis, axis));
     const Vec3s axes(axis), base(cone.base);
-    const Reals shift = dot(Vec3s(cone.base + Real(0.5) * axis) - rays.origin, rays.direction) / rays.direction2;
+    const Reals shift =
+        dot(Vec3s(cone.base + Real(0.5) * axis) - rays.origin, rays.direction) * rays.inverse_direction2;
     const Vec3s from_base = rays.at(shift) - base;
-    const Reals s0 = dot(from_base, axes) / height2, ds = dot(rays.direction, axes) / height2;
+    const Reals s0 = dot(from_base, axes) * inverse_height2, ds = dot(rays.direction, axes) * inverse_height2;
     const Reals slope(cone.cap_radius - cone.base_radius);
     Chords chords = between_the_ends(s0, ds);
     if (!chords.are.any()) return Roots::none();
@@ -96,11 +97,11 @@ Roots intersect(const Cone& cone, const Rays& rays, const Span& span) {
 Vec3s normal(const Cone& cone, const Vec3s& point, Reals part) {
     const Vec3 axis = cone.cap - cone.base;
     const Vec3s axes(axis), from_base = point - Vec3s(cone.base);
-    const Real height2 = glm::dot(axis, axis), slope = cone.cap_radius - cone.base_radius;
-    const Reals s = dot(from_base, axes) / Reals(height2);
+    const Real inverse_height2 = 1 / glm::dot(axis, axis), slope = cone.cap_radius - cone.base_radius;
+    const Reals s = dot(from_base, axes) * Reals(inverse_height2);
     const Vec3s from_axis = from_base - s * axes;
     const Vec3s gradient =
-        from_axis - ((Reals(cone.base_radius) + Reals(slope) * s) * Reals(slope) / Reals(height2)) * axes;
+        from_axis - ((Reals(cone.base_radius) + Reals(slope) * s) * Reals(slope * inverse_height2)) * axes;
     const Vec3s mantle = select(dot(gradient, gradient) > Reals(0), gradient, Vec3s(slope > 0 ? -axis : axis));
     return select(part == Reals(1), Vec3s(-axis), select(part == Reals(2), axes, mantle));
 }

@@ -38,37 +38,39 @@ void PacketIntersector::complete(std::uint32_t primitive, Mask lanes, const Rays
     const Transform* transform = object.transform == kNone ? nullptr : &s.transforms[object.transform];
     const Vec3s world = hits.point.load();
     const Vec3s point = transform ? times(transform->inverse_linear, world) + Vec3s(transform->inverse_offset) : world;
-    const auto set_normals = [&](Vec3s n) {
-        if (transform) n = normalize(times(glm::transpose(transform->inverse_linear), n));
-        hits.normal.set(lanes, n);
+    const auto set_normals = [&](const Vec3s& n) {
+        hits.normal.set(lanes, unit(lanes, transform ? times(glm::transpose(transform->inverse_linear), n) : n));
     };
-    // Of unit length in the world: a normal that is still to be moved need not be.
-    const auto unit = [&](const Vec3s& n) { return transform ? n : normalize(n); };
-    const auto flat = [](const Triangle& t) { return Vec3s(glm::normalize(glm::cross(t.b - t.a, t.c - t.a))); };
+    // The same for all of them: found out once.
+    const auto set_normal = [&](const Vec3& n) {
+        transform ? set_normals(n) : hits.normal.set(lanes, Vec3s(rays::unit(n)));
+    };
+    const auto flat = [](const Triangle& t) { return glm::cross(t.b - t.a, t.c - t.a); };
     switch (object.kind) {
-        case ShapeKind::sphere: set_normals(unit(normal(s.spheres[object.shape], point))); break;
-        case ShapeKind::plane: set_normals(unit(s.planes[object.shape].normal)); break;
-        case ShapeKind::disc: set_normals(unit(s.discs[object.shape].normal)); break;
-        case ShapeKind::polygon: set_normals(unit(s.polygons[object.shape].plane.normal)); break;
-        case ShapeKind::triangle: set_normals(flat(s.triangles[object.shape])); break;
-        case ShapeKind::cone: set_normals(unit(normal(s.cones[object.shape], point, found.part))); break;
+        case ShapeKind::sphere: set_normals(normal(s.spheres[object.shape], point)); break;
+        case ShapeKind::plane: set_normal(s.planes[object.shape].normal); break;
+        case ShapeKind::disc: set_normal(s.discs[object.shape].normal); break;
+        case ShapeKind::polygon: set_normal(s.polygons[object.shape].plane.normal); break;
+        case ShapeKind::triangle: set_normal(flat(s.triangles[object.shape])); break;
+        case ShapeKind::cone: set_normals(normal(s.cones[object.shape], point, found.part)); break;
         case ShapeKind::smooth_triangle: {
             const SmoothTriangle& t = s.smooth_triangles[object.shape];
-            set_normals(normalize(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v)));
+            set_normals(interpolate(t.normal_a, t.normal_b, t.normal_c, found.u, found.v));
             break;
         }
         case ShapeKind::mesh: {
             const Mesh& mesh = s.meshes[object.shape];
             const Mesh::Face& face = mesh.faces[p.part];
             const auto [a, b, c] = face.normal;
-            set_normals(face.smooth ? normalize(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u,
-                                                            found.v))
-                                    : flat(triangle_of(mesh, p.part)));
+            if (face.smooth)
+                set_normals(interpolate(mesh.normals[a], mesh.normals[b], mesh.normals[c], found.u, found.v));
+            else
+                set_normal(flat(triangle_of(mesh, p.part)));
             break;
         }
-        case ShapeKind::quadric: set_normals(unit(normal(s.quadrics[object.shape], point))); break;
-        case ShapeKind::torus: set_normals(unit(normal(s.tori[object.shape], point))); break;
-        default: set_normals(unit(box_normal(found.part))); break;
+        case ShapeKind::quadric: set_normals(normal(s.quadrics[object.shape], point)); break;
+        case ShapeKind::torus: set_normals(normal(s.tori[object.shape], point)); break;
+        default: set_normals(box_normal(found.part)); break;
     }
 }
 

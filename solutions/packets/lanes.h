@@ -41,6 +41,13 @@ inline Reals dot(const Vec3s& a, const Vec3s& b) { return a.x * b.x + a.y * b.y 
 inline Reals length(const Vec3s& v) { return sqrt(dot(v, v)); }
 /// As GLM does it: by a multiplication.
 inline Vec3s normalize(const Vec3s& v) { return (Reals(1) / length(v)) * v; }
+/// As step 1's; what is not in `lanes` is nobody's.
+inline Vec3s unit(Mask lanes, const Vec3s& v) {
+    const Reals length2 = dot(v, v), one_step = Reals(1.5) - Reals(0.5) * length2;
+    const Mask are_nearly_unit = abs(length2 - Reals(1)) < Reals(kNearlyUnit);
+    if (!(lanes - are_nearly_unit).any()) return one_step * v;
+    return select(are_nearly_unit, one_step, Reals(1) / sqrt(length2)) * v;
+}
 inline Vec3s select(Mask where, const Vec3s& then, const Vec3s& otherwise) {
     return {select(where, then.x, otherwise.x), select(where, then.y, otherwise.y), select(where, then.z, otherwise.z)};
 }

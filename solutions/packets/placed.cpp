@@ -101,7 +101,7 @@ Mask inside(const Scene& scene, const Object& object, const Vec3s& points) {
 RootPairs root_pairs(const Quadric& quadric, const Rays& rays) {
     const Vec3 zero(0);
     const Vec3s& direction = rays.direction;
-    const Reals shift = dot(Vec3s(zero) - rays.origin, direction) / rays.direction2;
+    const Reals shift = dot(Vec3s(zero) - rays.origin, direction) * rays.inverse_direction2;
     const Vec3s at_shift = rays.at(shift);
     const Vec4s p{at_shift.x, at_shift.y, at_shift.z, Reals(1)}, d{direction.x, direction.y, direction.z, Reals(0)};
     const Vec4s qp = times(quadric.q, p);

@@ -9,9 +9,10 @@ namespace rays::packets {
 
 struct Rays {
     Vec3s origin, direction;
-    Reals direction2;  ///< |direction|^2
+    Reals direction2, inverse_direction2;  ///< |direction|^2, and 1 / that
 
-    Rays(const Vec3s& o, const Vec3s& d) : origin(o), direction(d), direction2(dot(d, d)) {}
+    Rays(const Vec3s& o, const Vec3s& d)
+        : origin(o), direction(d), direction2(dot(d, d)), inverse_direction2(Reals(1) / direction2) {}
     Vec3s at(Reals t) const { return origin + t * direction; }
 };
 

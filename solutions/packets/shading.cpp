@@ -23,7 +23,7 @@ Vec3 axis_of(const Light& light) {
 
 Reals fading(const Light& light, Mask lanes, Reals distance) {
     if (!(light.fade_power > 0) || !(light.fade_distance > Real(1e-10))) return Reals(1);
-    const Reals relative = abs(distance) / Reals(light.fade_distance);
+    const Reals relative = abs(distance) * Reals(1 / light.fade_distance);
     const Reals grown = light.fade_power == 2 ? relative * relative : power(lanes, relative, light.fade_power);
     return Reals(2) / (Reals(1) + grown);
 }
@@ -84,7 +84,7 @@ Illuminations illuminate(const Light& light, const Lamp& lamp, const Vec3s& plac
     } else {
         const Vec3s to_light = place - point;
         result.distance = length(to_light);
-        result.to_light = {to_light.x / result.distance, to_light.y / result.distance, to_light.z / result.distance};
+        result.to_light = (Reals(1) / result.distance) * to_light;
         result.are = lanes & (result.distance > Reals(0));
     }
     const Floats strength(fading(light, lanes, result.distance) * cone_of_light(light, lamp, lanes, point));
@@ -180,7 +180,7 @@ void set_pigment(const Scene& scene, const std::uint32_t (&materials)[kLanes], S
 Reals power(Mask lanes, Reals x, double exponent) { return pow(select(lanes, x, Reals(1)), Reals(exponent)); }
 
 Radiances absorption(const Interior& interior, Reals distance) {
-    const Reals relative = distance / Reals(interior.fade_distance);
+    const Reals relative = distance * Reals(1 / interior.fade_distance);
     const Radiances left(interior.fade_color), lost(Radiance(1.0f) - interior.fade_color);
     if (interior.fade_power < 1000) {
         const Reals weaker = Reals(1) + power(Mask::of(kAllLanes), relative, interior.fade_power);

@@ -41,21 +41,22 @@ inline RootPairs quadratic_roots(Reals a, Reals b, Reals c) {
 inline RootPairs root_pairs(const Sphere& sphere, const Rays& rays) {
     const Vec3s to_center = Vec3s(sphere.center) - rays.origin;
     const Reals b = dot(to_center, rays.direction);
-    const Vec3s l = to_center - (b / rays.direction2) * rays.direction;
+    const Vec3s l = to_center - (b * rays.inverse_direction2) * rays.direction;
     const Reals half_chord2 = Reals(sphere.radius * sphere.radius) - dot(l, l);
     const Mask are = half_chord2 > Reals(0);
     if (!are.any()) return RootPairs::none();
     const Reals q = b + copysign(sqrt(rays.direction2 * half_chord2), b);
-    const Reals distance = length(to_center);
-    const Reals c = (distance - Reals(sphere.radius)) * (distance + Reals(sphere.radius));
-    const Reals t0 = q / rays.direction2, t1 = c / q;
+    const Reals c = dot(to_center, to_center) - Reals(sphere.radius * sphere.radius);
+    const Reals t0 = q * rays.inverse_direction2, t1 = c / q;
     const Mask ordered = t0 < t1;
     return {are, select(ordered, t0, t1), select(ordered, t1, t0)};
 }
 inline Roots intersect(const Sphere& sphere, const Rays& rays, const Span& span) {
     return root_pairs(sphere, rays).smallest_in(span);
 }
-inline Vec3s normal(const Sphere& sphere, const Vec3s& point) { return point - Vec3s(sphere.center); }
+inline Vec3s normal(const Sphere& sphere, const Vec3s& point) {
+    return Reals(1 / sphere.radius) * (point - Vec3s(sphere.center));
+}
 
 inline Roots intersect(const Plane& plane, const Rays& rays, const Span& span) {
     const Vec3s n(plane.normal);
@@ -94,9 +95,9 @@ public:
         const Reals wa = edge(b, c), wb = edge(c, a), wc = edge(a, b), zero(0);
         const Mask outside = ((wa < zero) | (wb < zero) | (wc < zero)) & ((wa > zero) | (wb > zero) | (wc > zero));
         if (outside.bits() == kAllLanes) return Roots::none();
-        const Reals sum = wa + wb + wc;
-        const Reals t = (wa * (scale_ * a.z) + wb * (scale_ * b.z) + wc * (scale_ * c.z)) / sum;
-        return {span.contains(t) - outside, t, wb / sum, wc / sum};
+        const Reals inverse = Reals(1) / (wa + wb + wc);
+        const Reals t = (wa * (scale_ * a.z) + wb * (scale_ * b.z) + wc * (scale_ * c.z)) * inverse;
+        return {span.contains(t) - outside, t, inverse * wb, inverse * wc};
     }
 
 private:
@@ -203,13 +204,18 @@ inline Roots intersect(const Box& box, const Rays& rays, const Span& span) {
     Reals enter(-kInfinity), leave(kInfinity), enter_side(0.0), leave_side(0.0);
     Mask outside = Mask::of(0);
     for (int axis = 0; axis < 3; ++axis) {
-        const Reals o = rays.origin[axis], d = rays.direction[axis], lo(box.min[axis]), hi(box.max[axis]);
-        const Mask still = d == Reals(0), backwards = d < Reals(0);
-        const Reals t_lo = (lo - o) / d, t_hi = (hi - o) / d;
-        const Reals near = select(backwards, t_hi, t_lo), far = select(backwards, t_lo, t_hi);
-        const Mask within = (o >= lo) & (o <= hi);
-        outside = outside | (still - within) | (Mask::of(kAllLanes) - still - (near <= far));
-        const Mask later = (near > enter) - still, sooner = (far < leave) - still;
+        const Reals o = rays.origin[axis], inverse = Reals(1) / rays.direction[axis], lo(box.min[axis]),
+                    hi(box.max[axis]);
+        const Mask backwards = inverse < Reals(0), still = abs(inverse) == Reals(kInfinity);
+        const Reals t_lo = (lo - o) * inverse, t_hi = (hi - o) * inverse;
+        Reals near = select(backwards, t_hi, t_lo), far = select(backwards, t_lo, t_hi);
+        if (still.any()) {
+            outside = outside | (still - ((o >= lo) & (o <= hi)));
+            near = select(still, Reals(-kInfinity), near);
+            far = select(still, Reals(kInfinity), far);
+        }
+        outside = outside | (Mask::of(kAllLanes) - (near <= far));
+        const Mask later = near > enter, sooner = far < leave;
         const Reals lo_side(2.0 * axis), hi_side(2.0 * axis + 1);
         enter = select(later, near, enter);
         enter_side = select(later, select(backwards, hi_side, lo_side), enter_side);

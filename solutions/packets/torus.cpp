@@ -99,8 +99,8 @@ private:
 Span near_part(const Torus& torus, const Vec3s& o, const Vec3s& d, Reals half2, Reals begin) {
     const Real tube = torus.minor * Real(1.00001);
     const Reals high = sqrt(half2), low = -high, tubes(tube);
-    const Reals first = (Reals(-tube) - o.y) / d.y, second = (tubes - o.y) / d.y;
-    const Mask level = d.y == Reals(0);
+    const Reals inverse = Reals(1) / d.y, first = (Reals(-tube) - o.y) * inverse, second = (tubes - o.y) * inverse;
+    const Mask level = abs(inverse) == Reals(kInfinity);
     return {max(begin, select(level, low, max(low, min(first, second)))),
             select(level, high, min(high, max(first, second)))};
 }
@@ -133,18 +133,18 @@ Roots intersect(const Torus& torus, const Rays& rays, const Span& span) {
     if (torus.major == 0) return intersect(Sphere{Vec3(0), torus.minor}, rays, span);
     Mask open = Mask::of(kAllLanes) - surely_misses(torus, rays, span);
     if (!open.any()) return Roots::none();
-    const Reals length = sqrt(rays.direction2);
-    const Reals shift = -dot(rays.origin, rays.direction) / (length * length);
+    const Reals length = sqrt(rays.direction2), inverse_length = Reals(1) / length;
+    const Reals shift = -dot(rays.origin, rays.direction) * (inverse_length * inverse_length);
     const Vec3s o = rays.at(shift);
     const Reals o2 = dot(o, o);
     const Real outer = (torus.major + torus.minor) * Real(1.00001);
     const Reals half2 = Reals(outer * outer) - o2;
-    const Vec3s d{rays.direction.x / length, rays.direction.y / length, rays.direction.z / length};
+    const Vec3s d = inverse_length * rays.direction;
     const Span near = near_part(torus, o, d, half2, (span.near - shift) * length);
     open = open & (half2 > Reals(0)) & (near.near < min(near.far, (span.far - shift) * length));
     if (!open.any()) return Roots::none();
 
-    const auto t_at = [&](Reals u) { return shift + u / length; };
+    const auto t_at = [&](Reals u) { return shift + u * inverse_length; };
     const TorusOnRays on_rays(torus, o, d, o2);
     const auto slope = [&](Reals u) { return on_rays.slope(u); };
     const auto surface = [&](Reals u) { return on_rays.surface(u); };
