@@ -56,7 +56,7 @@ void origin_near_surface(Notebook& book, Dice& dice, L x) {
         V d = dice.unit();
         while (glm::dot(d, n) < 0.5L) d = dice.unit();
         const Shot out{rounded(center + radius * (1 - x) * n), rounded(d), 0};
-        // The truth for the origin as it was rounded: c / q, with c = (|o| - r) (|o| + r), in long double.
+        // The truth for the origin as it was rounded: c / q, in long double.
         const V o = out.origin - center;
         const L a = glm::dot(out.direction, out.direction), b = glm::dot(o, out.direction);
         const L c = glm::dot(o, o) - radius * radius;
