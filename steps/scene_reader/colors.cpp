@@ -52,7 +52,9 @@ void Interpreter::color_keyword(Word word, Color& color) {
     const bool has_transmit =
         word == Word::rgbt_ || word == Word::rgbft_ || word == Word::srgbt_ || word == Word::srgbft_;
     const bool is_srgb = word == Word::srgb_ || word == Word::srgbf_ || word == Word::srgbt_ || word == Word::srgbft_;
-    Numbers value = expression(3 + has_filter + has_transmit);
+    const int components = 3 + has_filter + has_transmit;
+    Numbers value;
+    if (!worked_out(Expression::Rule::whole, components, value)) value = expression(components);
     for (int i = 0; i < value.count; ++i) checked(value.at[i], place);
     for (int i = 0; i < 3; ++i) {
         const auto channel = static_cast<float>(value.at[i]);
@@ -71,7 +73,8 @@ Color Interpreter::color_components(int wanted) {
     accept(Word::color_);
     const Place place = peek().place;
     if (peek().kind != Token::Kind::word || !is_component(peek().word)) {
-        const Numbers value = expression(wanted);
+        Numbers value;
+        if (!worked_out(Expression::Rule::whole, wanted, value)) value = expression(wanted);
         for (int i = 0; i < value.count; ++i) checked(value.at[i], place);
         for (int i = 0; i < 3; ++i) color.rgb[i] = static_cast<float>(value.at[i]);
         color.filter = static_cast<float>(value.at[3]);

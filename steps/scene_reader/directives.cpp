@@ -11,7 +11,7 @@ namespace rays::sdl {
 void Interpreter::directive() {
     const Place place{scanner_.source(), scanner_.at() - 1};
     spend(kWorkOfDirective);
-    switch (const Word word = scanner_.directive_word(names_)) {
+    switch (const Word word = repeats() ? scanner_.directive_word_repeated(scanned_) : scanner_.directive_word(names_)) {
         case Word::declare_: return declare(false, place);
         case Word::local_: return declare(true, place);
         case Word::undef_: return undef_directive(place);

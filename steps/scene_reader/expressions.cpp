@@ -273,7 +273,9 @@ void Interpreter::component(Numbers& numbers) {
         default: fail(token, "expected x, y, z, u, v, t, red, green, blue, filter, transmit or gray after the point");
     }
     if (i >= numbers.count) fail(token, fmt::format("a value of {} components has no '{}'", numbers.count, token.text));
-    numbers = filled(numbers.at[i], 1);
+    // The other components stay, as in POV-Ray: where a vector is wanted, <1, 2, 3>.y stands for <2, 2, 3>.
+    numbers.at[0] = numbers.at[i];
+    numbers.count = 1;
 }
 
 double Interpreter::checked(double value, const Place& place) {
@@ -282,6 +284,8 @@ double Interpreter::checked(double value, const Place& place) {
 }
 
 double Interpreter::number() {
+    Numbers known;
+    if (worked_out(Expression::Rule::sum, 1, known) && known.count == 1) return known.at[0];
     const Place place = peek().place;
     const Numbers value = sum(1);
     if (value.count != 1) fail(place, "found a vector or color; expected a float");
@@ -306,6 +310,8 @@ std::size_t Interpreter::count(std::string_view what, std::size_t most) {
 }
 
 V2 Interpreter::vector2() {
+    Numbers known;
+    if (worked_out(Expression::Rule::sum, 2, known) && known.count <= 2) return {known.at[0], known.at[1]};
     const Place place = peek().place;
     const Numbers value = sum(2);
     if (value.count > 2) fail(place, "expected a vector of two components");
@@ -313,6 +319,8 @@ V2 Interpreter::vector2() {
 }
 
 V3 Interpreter::vector() {
+    Numbers known;
+    if (worked_out(Expression::Rule::sum, 3, known) && known.count <= 3) return known.xyz();
     const Place place = peek().place;
     const Numbers value = sum(3);
     if (value.count > 3) fail(place, "found a color or 4D vector; expected a vector of three components");

@@ -5,15 +5,19 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "scene_reader/functions.h"
 #include "scene_reader/interpreter.h"
 
 namespace rays::sdl {
 
 double Interpreter::argument() {
     expect('(', "a function's call");
-    const Place place = peek().place;
-    const Numbers value = expression(1);
-    if (value.count != 1) fail(place, "found a vector or color; expected a float");
+    Numbers value;
+    if (!worked_out(Expression::Rule::whole, 1, value) || value.count != 1) {
+        const Place place = peek().place;
+        value = expression(1);
+        if (value.count != 1) fail(place, "found a vector or color; expected a float");
+    }
     expect(')', "a function's call");
     return value.at[0];
 }
@@ -33,16 +37,6 @@ double Interpreter::extreme(bool largest) {
     expect(')', "min or max");
     return value;
 }
-
-namespace {
-
-/// POV-Ray's conversion to int, defined for every double.
-int to_int(double value) {
-    if (!(value > -2147483649.0 && value < 2147483648.0)) return std::numeric_limits<int>::min();
-    return static_cast<int>(value);
-}
-
-}  // namespace
 
 double Interpreter::bits(Word word) {
     expect('(', "a bitwise function");
@@ -69,14 +63,10 @@ double Interpreter::select() {
 
 double Interpreter::random(const Place& place) {
     const double stream = argument();
-    if (!(stream >= 0 && stream < static_cast<double>(random_.size()))) {
-        fail(place, "rand needs a stream that seed() made: #declare R = seed(1);");
-    }
+    std::uint32_t* state = random_stream(random_, stream);
+    if (!state) fail(place, "rand needs a stream that seed() made: #declare R = seed(1);");
     ++changes_;
-    // POV-Ray's generator: 32 bits, linear congruential, both ends included.
-    std::uint32_t& state = random_[static_cast<std::size_t>(stream)];
-    state = state * 1812433253u + 12345u;
-    return state / 4294967295.0;
+    return draw_random(*state);
 }
 
 double Interpreter::dimension(Word word) {

@@ -35,10 +35,10 @@ void Interpreter::fetch() {
     for (;;) {
         ++tokens_;
         const char* before = scanner_.at();
-        if (blocks_.empty() && budget_.can_grow)  // nothing repeats, as far as one knows
-            scanner_.scan(names_, token);
-        else
+        if (repeats())
             scanner_.scan_repeated(scanned_, token);
+        else
+            scanner_.scan(names_, token);
         spend(1 + (scanner_.at() - before + scanner_.take_walked()) / kBytesPerWork);
         switch (token.kind) {
             case Token::Kind::name:
@@ -131,7 +131,8 @@ void Interpreter::subscripts(Token& token) {
 
 Word Interpreter::skip_block(int levels, bool at_else, Place opened) {
     const char* start = scanner_.at();
-    const Word word = scanner_.skip_block(names_, levels, at_else, opened);
+    const Word word = repeats() ? scanner_.skip_block_repeated(scanned_, levels, at_else, opened)
+                                : scanner_.skip_block(names_, levels, at_else, opened);
     spend((scanner_.at() - start) / kBytesPerWork);
     return word;
 }

@@ -157,6 +157,9 @@ private:
         budget_.work += std::max(bought, at_least);
     }
 
+    /// In a loop or a macro, or read once more: what stands here is read time and again, as far as one knows.
+    bool repeats() const { return !blocks_.empty() || !budget_.can_grow; }
+
     // tokens (interpreter.cpp)
     void fetch();  ///< into peeked_
     Word skip_block(int levels, bool at_else, Place opened);
@@ -221,6 +224,12 @@ private:
     void return_from_macro();
     void capture(Function& function, const Token& name);
     double call_function(const Function& function, Place place);
+
+    // worked_out.cpp
+    bool worked_out(Expression::Rule rule, int wanted, Numbers& result);
+    const Formula* make_formula(Expression::Rule rule, int wanted, const char* at);
+    bool evaluate(const Formula& formula, Numbers& result);
+    const Value* value_of(NameId name) const;
 
     // expressions (expressions.cpp, functions.cpp)
     Numbers expression(int wanted);

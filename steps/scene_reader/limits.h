@@ -31,6 +31,11 @@ inline constexpr std::size_t kMostNotes = 100;
 /// Of meshes that several objects share, in all (Flattener::fold_meshes): 25 MB at most.
 inline constexpr std::size_t kMostCopiedFaces = 1 << 17;
 
+/// Expressions of one scene that are worked out (formula.h), and how often one is made anew for names that stand for
+/// something else.
+inline constexpr std::size_t kMostFormulas = 4096;
+inline constexpr int kMostFormulasOfOne = 8;
+
 /// Work is counted in units of a token, some 15 to 25 ns. A loop that makes nothing ends after `kIdleWork` (one
 /// second); text read once buys more without limit, objects made by it up to `kMostWorkForObjects`: a mesh of a million
 /// triangles that loops compute is read in three seconds, and nothing small takes five. Beyond, an object still buys
@@ -43,10 +48,11 @@ inline constexpr std::int64_t kWorkPerByte = 4;
 inline constexpr std::int64_t kWorkPerObject = 400;
 inline constexpr std::int64_t kWorkOfPlainSphere = 30;
 /// What is no token and costs as much as several, by measurement: a call with its scope, a directive, bytes walked over
-/// or copied, the first touch of memory that the scene keeps, a face whose corners are looked up in large tables, a
+/// or copied, an expression worked out, the first touch of memory that the scene keeps, a face whose corners are looked up in large tables, a
 /// material or a clip made, a question to the file system, a number printed.
 inline constexpr std::int64_t kWorkOfCall = 10;
 inline constexpr std::int64_t kWorkOfDirective = 2;
+inline constexpr std::int64_t kWorkOfFormula = 200;
 inline constexpr std::int64_t kWorkOfFace = 75;
 inline constexpr std::int64_t kWorkOfMaterial = 40;
 inline constexpr std::int64_t kWorkOfClip = 20;

@@ -49,15 +49,6 @@ const char* next(const char* from, char c, const char* end) {
     throw InputError(fmt::format("{}: {}", to_string(place), what));
 }
 
-// All bytes 0: no place in any text.
-std::unique_ptr<Scanned::Remembered[], Scanned::Free> nothing_remembered() {
-    static_assert(std::is_trivially_copyable_v<Scanned::Remembered> &&
-                  std::is_trivially_destructible_v<Scanned::Remembered>);
-    void* bytes = std::calloc(Scanned::kRemembered, sizeof(Scanned::Remembered));
-    if (!bytes) throw std::bad_alloc();
-    return std::unique_ptr<Scanned::Remembered[], Scanned::Free>(static_cast<Scanned::Remembered*>(bytes));
-}
-
 }  // namespace
 
 std::string describe(const Token& token) {
@@ -153,7 +144,7 @@ void Scanner::scan(Names& names, Token& token) {
 }
 
 void Scanner::scan_repeated(Scanned& scanned, Token& token) {
-    if (!scanned.remembered) scanned.remembered = nothing_remembered();
+    if (!scanned.remembered) scanned.remembered = nothing_remembered<Scanned::Remembered>();
     auto& known = scanned.remembered[reinterpret_cast<std::uintptr_t>(at_) % Scanned::kRemembered];
     if (known.from != at_) {
         const char* from = at_;
@@ -239,6 +230,27 @@ Word Scanner::directive_word(Names& names) {
     if (token.kind == Token::Kind::word) return token.word;
     at_ = start;
     return Word::other_;
+}
+
+Word Scanner::directive_word_repeated(Scanned& scanned) {
+    const char* start = at_;
+    Token token;
+    scan_repeated(scanned, token);
+    if (token.kind == Token::Kind::word) return token.word;
+    at_ = start;
+    return directive_word(scanned.names);
+}
+
+Word Scanner::skip_block_repeated(Scanned& scanned, int levels, bool at_else, Place opened) {
+    if (!scanned.skipped) scanned.skipped = nothing_remembered<Scanned::Skipped>();
+    auto& known = scanned.skipped[reinterpret_cast<std::uintptr_t>(at_) % Scanned::kRemembered];
+    if (known.from != at_ || known.levels != levels || known.at_else != at_else) {
+        const char* from = at_;
+        const Word word = skip_block(scanned.names, levels, at_else, opened);
+        known = {from, at_, levels, at_else, word};
+    }
+    at_ = known.to;
+    return known.word;
 }
 
 Word Scanner::skip_block(Names& names, int levels, bool at_else, Place opened) {

@@ -3,9 +3,12 @@
 
 #include <cstdlib>
 #include <memory>
+#include <new>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
+#include "scene_reader/formula.h"
 #include "scene_reader/value.h"
 
 namespace rays::sdl {
@@ -52,12 +55,42 @@ struct Scanned {
     };
     static constexpr std::size_t kRemembered = 4096;  ///< a body of so many bytes is remembered whole
     struct Free {
-        void operator()(Remembered* p) const { std::free(p); }
+        void operator()(void* p) const { std::free(p); }
     };
     /// By the last bits of `from`; none until something repeats. From calloc: of a short body few pages are ever
     /// touched.
     std::unique_ptr<Remembered[], Free> remembered;
+
+    /// Where a block that is not executed ends that begins at `from`.
+    struct Skipped {
+        const char* from = nullptr;
+        const char* to = nullptr;
+        int levels = 0;
+        bool at_else = false;
+        Word word = Word::other_;
+    };
+    std::unique_ptr<Skipped[], Free> skipped;
+
+    /// What is known of the expression that stands at `from`, by the same bits.
+    struct Known {
+        const char* from = nullptr;
+        const Formula* formula = nullptr;
+        Expression::Rule rule = Expression::Rule::sum;
+        std::uint8_t wanted = 0;
+        std::uint8_t failures = 0;  ///< names stood for something else, or there was an error
+    };
+    std::unique_ptr<Known[], Free> known;
+    std::vector<std::unique_ptr<const Formula>> formulas;
 };
+
+/// A table all bytes of which are 0: no place in any text.
+template <class T>
+std::unique_ptr<T[], Scanned::Free> nothing_remembered() {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+    void* bytes = std::calloc(Scanned::kRemembered, sizeof(T));
+    if (!bytes) throw std::bad_alloc();
+    return std::unique_ptr<T[], Scanned::Free>(static_cast<T*>(bytes));
+}
 
 /// Scans numbers, names, strings and punctuation; knows nothing of what they mean.
 class Scanner {
@@ -92,11 +125,13 @@ public:
 
     /// After a '#': the directive's word, or other_ when there is none.
     Word directive_word(Names& names);
+    Word directive_word_repeated(Scanned& scanned);
 
     /// Where a block that is not executed stops: after the word of the #else, #elseif, #case, #range or #end that
     /// belongs to `levels` blocks up (1: the innermost). Stops at #else and its kin only when `at_else` and levels
     /// is 1. Throws InputError at the end of the text; `opened` is named in it.
     Word skip_block(Names& names, int levels, bool at_else, Place opened);
+    Word skip_block_repeated(Scanned& scanned, int levels, bool at_else, Place opened);
 
 private:
     void skip_blanks();

@@ -124,7 +124,12 @@ Value copy_of(const Value& value) {
 }
 
 /// Colours are kept in single precision, as POV-Ray keeps them.
-Numbers rounded_color(const Color& color) {
+Numbers rounded(Numbers color) {
+    for (double& x : color.at) x = static_cast<float>(x);
+    return color;
+}
+
+Numbers numbers_of(const Color& color) {
     Numbers numbers;
     numbers.count = 5;
     for (int i = 0; i < 3; ++i) numbers.at[i] = color.rgb[i];
@@ -139,6 +144,20 @@ Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool n
     const Nesting nesting(*this);
     const bool outer_hold = hold_;
     Value result;
+    const auto semicolon = [&] {
+        if (needs_semicolon && !accept(';')) {
+            fail(peek(),
+                 fmt::format("found {}; a declaration of a float, vector or color ends with ';'", describe(peek())));
+        }
+    };
+    Numbers formula;
+    if (worked_out(as_argument ? Expression::Rule::argument : Expression::Rule::sum, 1, formula)) {
+        hold_ = true;
+        result.is = formula.count == 5 ? rounded(formula) : formula;
+        semicolon();
+        hold_ = outer_hold;
+        return result;
+    }
     const Token first = peek();
     const Value* known = first.kind == Token::Kind::value ? first.value : nullptr;
     // The caller's own variable, when nothing but its name stands there.
@@ -148,12 +167,6 @@ Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool n
         std::shared_ptr<Value> slot = bindings_[first.name].back().slot;
         while (Reference* further = slot->as<Reference>()) slot = further->target;
         return slot;
-    };
-    const auto semicolon = [&] {
-        if (needs_semicolon && !accept(';')) {
-            fail(peek(),
-                 fmt::format("found {}; a declaration of a float, vector or color ends with ';'", describe(peek())));
-        }
     };
     const bool callable = known && (known->as<Shared<Function>>() != nullptr);
     if (known && !known->as<Numbers>() && !callable) {
@@ -174,7 +187,7 @@ Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool n
         hold(std::get<std::string>(result.is).capacity());
     } else if (!vector_follows() && color_follows()) {
         hold_ = true;
-        result.is = rounded_color(color());
+        result.is = numbers_of(color());
         semicolon();
         hold_ = outer_hold;
     } else if (vector_follows()) {
@@ -190,9 +203,7 @@ Value Interpreter::right_side(bool as_argument, std::size_t caller_scope, bool n
         }
         Numbers numbers = sum(1);
         for (int i = 0; i < numbers.count; ++i) checked(numbers.at[i], first.place);
-        if (numbers.count == 5) {
-            for (double& x : numbers.at) x = static_cast<float>(x);
-        }
+        if (numbers.count == 5) numbers = rounded(numbers);
         peek();
         if (target && tokens_ == before + 1) {
             result.is = Reference{target};
