@@ -15,9 +15,9 @@ namespace rays::sdl {
 
 namespace {
 
-constexpr int kDeepest = 16;                               ///< calls of functions inside of one another
-constexpr int kDeepestText = 100;                          ///< parentheses, signs and macros
-constexpr int kMostTokens = 4000;                          ///< macros in macros can double and double
+constexpr int kDeepest = 16;       ///< calls of functions inside of one another
+constexpr int kDeepestText = 100;  ///< parentheses, signs and macros
+constexpr int kMostTokens = 4000;  ///< macros in macros can double and double
 constexpr std::size_t kMostOperations = 400;
 constexpr std::int64_t kMostWork = 1'000'000'000'000'000;  ///< more than any reading has
 constexpr int kOperationsPerToken = 8;                     ///< done in the time in which a token is read

@@ -244,10 +244,10 @@ Word Scanner::directive_word_repeated(Scanned& scanned) {
 Word Scanner::skip_block_repeated(Scanned& scanned, int levels, bool at_else, Place opened) {
     if (!scanned.skipped) scanned.skipped = nothing_remembered<Scanned::Skipped>();
     auto& known = scanned.skipped[reinterpret_cast<std::uintptr_t>(at_) % Scanned::kRemembered];
-    if (known.from != at_ || known.levels != levels || known.at_else != at_else) {
+    if (known.from != at_) {
         const char* from = at_;
         const Word word = skip_block(scanned.names, levels, at_else, opened);
-        known = {from, at_, levels, at_else, word};
+        known = {from, at_, word};
     }
     at_ = known.to;
     return known.word;

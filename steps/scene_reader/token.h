@@ -65,8 +65,6 @@ struct Scanned {
     struct Skipped {
         const char* from = nullptr;
         const char* to = nullptr;
-        int levels = 0;
-        bool at_else = false;
         Word word = Word::other_;
     };
     std::unique_ptr<Skipped[], Free> skipped;

@@ -92,8 +92,8 @@ bool Interpreter::evaluate(const Formula& formula, Numbers& result) {
             }
             case Formula::Name::Is::function: {
                 const auto* found = value->as<Shared<Function>>();
-                const bool same = found && (*found)->formula &&
-                                  (*found)->parameters.size() == static_cast<std::size_t>(name.count);
+                const bool same =
+                    found && (*found)->formula && (*found)->parameters.size() == static_cast<std::size_t>(name.count);
                 if (!same) return false;
                 functions[all_functions++] = (*found)->formula.get();
                 work += kWorkOfCall + (*found)->formula->work();
@@ -107,11 +107,9 @@ bool Interpreter::evaluate(const Formula& formula, Numbers& result) {
         }
     }
     spend(work);
-    const bool has_value = formula({{numbers.data(), all_numbers},
-                                    {arrays.data(), all_arrays},
-                                    {functions.data(), all_functions},
-                                    &random_},
-                                   result);
+    const bool has_value = formula(
+        {{numbers.data(), all_numbers}, {arrays.data(), all_arrays}, {functions.data(), all_functions}, &random_},
+        result);
     if (has_value && (formula.draws() || formula.macros() > 0)) ++changes_;
     return has_value;
 }

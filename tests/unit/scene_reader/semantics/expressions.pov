@@ -62,3 +62,8 @@ F("comparison in a vector", <1, (2 > 1), 3>.y)
 #declare Q = P;
 F("variable", Q*10)
 C("filter and transmit words", rgb <0.2, 0.4, 0.6> transmit 0.25)
+F("other components stay", vdot(<2, 5, 7>.y, x + 10*y + 100*z))
+F("of the left one", vdot(<2, 5, 7>.y*1, x + 10*y + 100*z))
+F("not of the right one", vdot(1*<2, 5, 7>.y, x + 10*y + 100*z))
+F("not in parentheses", vdot((-<2, 5, 7>.y), x + 10*y + 100*z))
+F("with a sign", vdot(-<2, 5, 7>.y, x + 10*y + 100*z))
