@@ -1,8 +1,8 @@
 // The language without its objects: directives, variables, macros, expressions.
 //
 // Reading is one pass over text in memory. Whoever parses a statement asks for tokens; directives are obeyed, macros
-// entered and loops turned while a token is fetched, so that they may stand anywhere. A loop's body is scanned anew
-// each time round.
+// entered and loops turned while a token is fetched, so that they may stand anywhere. What repeats, in
+// loops and macros, is remembered by its place: tokens, the ends of skipped blocks, and expressions as formulas.
 #pragma once
 
 #include <algorithm>
