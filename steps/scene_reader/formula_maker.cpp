@@ -159,7 +159,7 @@ private:
         operand.count = count;
         return operand;
     }
-    Operand one(double value, int wanted) { return filled(constant(value), wanted); }
+    Operand literal(double value, int wanted) { return filled(constant(value), wanted); }
 
     // ---- the grammar
     void promote(Operand& operand, int count) {
@@ -290,7 +290,7 @@ private:
         const Token token = token_;
         next();
         switch (token.kind) {
-            case Token::Kind::number: return one(token.number, wanted);
+            case Token::Kind::number: return literal(token.number, wanted);
             case Token::Kind::symbol:
                 if (token.symbol == '(') return in_parentheses(wanted);
                 if (token.symbol == '<') return angle_brackets();
@@ -529,13 +529,13 @@ private:
     Operand word(Word word, int wanted) {
         has_one_operand_ = false;
         switch (word) {
-            case Word::pi_: return one(std::numbers::pi, wanted);
+            case Word::pi_: return literal(std::numbers::pi, wanted);
             case Word::true_:
             case Word::yes_:
-            case Word::on_: return one(1, wanted);
+            case Word::on_: return literal(1, wanted);
             case Word::false_:
             case Word::no_:
-            case Word::off_: return one(0, wanted);
+            case Word::off_: return literal(0, wanted);
             case Word::x_: return axis(0, wanted);
             case Word::y_: return axis(1, wanted);
             case Word::z_: return axis(2, wanted);
