@@ -47,9 +47,9 @@ public:
     const char* end() const { return end_; }  ///< of its text
     /// The value of a variable or of an array's element, and nothing else.
     bool is_a_name() const { return is_a_name_; }
-    bool draws() const { return draws_; }             ///< from rand()
-    int macros() const { return macros_; }            ///< calls of macros in it, all worked out
-    int nesting() const { return nesting_; }          ///< of its text
+    bool draws() const { return draws_; }     ///< from rand()
+    int macros() const { return macros_; }    ///< calls of macros in it, all worked out
+    int nesting() const { return nesting_; }  ///< of its text
     int macro_nesting() const { return macro_nesting_; }
     /// Of an evaluation, in tokens (limits.h), without the functions of World.
     std::int64_t work() const { return work_; }
@@ -110,14 +110,19 @@ std::shared_ptr<const Formula> formula_of(const Function& function, Names& names
 
 /// An expression that stands in a scene's text, up to a symbol or a reserved word that ends it.
 struct Expression {
-    enum class Rule : std::uint8_t { sum, whole, argument };  ///< `whole`: with comparisons; `argument`: sum, of a macro
+    enum class Rule : std::uint8_t {
+        sum,
+        whole,
+        argument
+    };  ///< `whole`: with comparisons; `argument`: sum, of a macro
     Rule rule = Rule::sum;
     int wanted = 1;  ///< components (expressions.cpp)
     const Source* source = nullptr;
     const char* at = nullptr;
 
-    /// Null as above. `value_of`: what a name stands for, references followed; null: nothing.
-    std::unique_ptr<const Formula> worked_out(Names& names, const std::function<const Value*(NameId)>& value_of) const;
+    /// Null as above. `value_of`: what a name stands for, references followed; null: nothing. `tokens` were read.
+    std::unique_ptr<const Formula> worked_out(Names& names, const std::function<const Value*(NameId)>& value_of,
+                                              int& tokens) const;
 };
 
 }  // namespace rays::sdl

@@ -60,6 +60,8 @@ public:
         return finish(value);
     }
 
+    int tokens() const { return tokens_; }
+
 private:
     /// Places of components: constants from 0, numbers of the world from kNumber, operations from kOperation. The first
     /// constant is 0, and stands where there is no component.
@@ -684,10 +686,12 @@ std::shared_ptr<const Formula> formula_of(const Function& function, Names& names
     }
 }
 
-std::unique_ptr<const Formula> Expression::worked_out(Names& names,
-                                                      const std::function<const Value*(NameId)>& value_of) const {
+std::unique_ptr<const Formula> Expression::worked_out(Names& names, const std::function<const Value*(NameId)>& value_of,
+                                                      int& tokens) const {
     try {
-        auto formula = Formula::Maker(names, value_of).of(*this);
+        Formula::Maker maker(names, value_of);
+        auto formula = maker.of(*this);
+        tokens = maker.tokens();
         return formula ? std::make_unique<const Formula>(*std::move(formula)) : nullptr;
     } catch (const InputError&) {  // the scanner's; reading the text tells it
         return nullptr;

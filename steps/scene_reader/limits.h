@@ -52,7 +52,8 @@ inline constexpr std::int64_t kWorkOfPlainSphere = 30;
 /// material or a clip made, a question to the file system, a number printed.
 inline constexpr std::int64_t kWorkOfCall = 10;
 inline constexpr std::int64_t kWorkOfDirective = 2;
-inline constexpr std::int64_t kWorkOfFormula = 200;
+inline constexpr std::int64_t kWorkOfFormula = 50;
+inline constexpr std::int64_t kWorkOfFormulaToken = 8;
 inline constexpr std::int64_t kWorkOfFace = 75;
 inline constexpr std::int64_t kWorkOfMaterial = 40;
 inline constexpr std::int64_t kWorkOfClip = 20;

@@ -48,8 +48,10 @@ bool Interpreter::worked_out(Expression::Rule rule, int wanted, Numbers& result)
 const Formula* Interpreter::make_formula(Expression::Rule rule, int wanted, const char* at) {
     if (scanned_.formulas.size() == kMostFormulas) return nullptr;
     const Expression expression{rule, wanted, scanner_.source(), at};
-    auto formula = expression.worked_out(names_, [this](NameId name) { return value_of(name); });
-    spend(kWorkOfFormula);
+    int tokens = 0;
+    auto formula = expression.worked_out(
+        names_, [this](NameId name) { return value_of(name); }, tokens);
+    spend(kWorkOfFormula + kWorkOfFormulaToken * tokens);
     // A macro is given the variable itself, not its value.
     if (!formula || (rule == Expression::Rule::argument && formula->is_a_name())) return nullptr;
     scanned_.formulas.push_back(std::move(formula));

@@ -95,6 +95,14 @@ std::vector<Hostile> hostile_scenes() {
          grown(1000, "#declare U0 = union { sphere { 0, 1 } }; ",
                [&](int i) { return "#declare U" + n(i + 1) + " = union { object { U" + n(i) + " } }; "; }) +
              "object { U1000 }"},
+        {"macros that double in a loop", grown(12, "#macro M0(X) (X + 1) #end ",
+                                               [&](int i) {
+                                                   return "#macro M" + n(i + 1) + "(X) (M" + n(i) + "(X) + M" + n(i) +
+                                                          "(X + " + n(i) + ")) #end ";
+                                               }) +
+                                             counting + "#declare A = M11(I); #declare A = M11(I) + asc(\"a\"); #end"},
+        {"rotations without end",
+         "#declare V = <1, 2, 3>; " + counting + "#declare A = V" + repeated(" + vrotate(V, V)", 60) + "; #end"},
         {"numbers that overflow", "#declare A = 1; " + repeated("#declare A = A + A; ", 2000)},
         {"transforms that overflow", "sphere { 0, 1 scale 1e300 scale 1e300 }"},
         {"transforms that vanish", "sphere { 0, 1 scale 1e-300 scale 1e-300 }"},
