@@ -75,7 +75,8 @@ private:
         Does does;
         std::uint16_t a = 0, b = 0, c = 0;
     };
-    class Maker;  // formula_maker.cpp
+    class Writer;  // formula_writer.h
+    class Maker;   // formula_maker.cpp
     friend std::shared_ptr<const Formula> formula_of(const Function& function, Names& names);
     friend struct Expression;
 

@@ -1,27 +1,22 @@
 // How text becomes a formula.
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
-#include <tuple>
 #include <variant>
 
 #include "core/error.h"
-#include "scene_reader/formula.h"
+#include "scene_reader/formula_writer.h"
 #include "scene_reader/token.h"
 
 namespace rays::sdl {
 
 namespace {
 
-constexpr int kDeepest = 16;       ///< calls of functions inside of one another
-constexpr int kDeepestText = 100;  ///< parentheses, signs and macros
-constexpr int kMostTokens = 4000;  ///< macros in macros can double and double
-constexpr std::size_t kMostOperations = 400;
+constexpr int kDeepest = 16;                               ///< calls of functions inside of one another
+constexpr int kDeepestText = 100;                          ///< parentheses, signs and macros
+constexpr int kMostTokens = 4000;                          ///< macros in macros can double and double
 constexpr std::int64_t kMostWork = 1'000'000'000'000'000;  ///< more than any reading has
-constexpr int kOperationsPerToken = 8;                     ///< done in the time in which a token is read
-constexpr double kZero = 0;
 
 const Value* without_references(const Value* value) {
     while (const auto* reference = value ? value->as<Reference>() : nullptr) value = reference->target.get();
@@ -33,11 +28,11 @@ const Value* without_references(const Value* value) {
 /// Interpreter's grammar of expressions (expressions.cpp), for numbers alone. Everything else is no formula: then the
 /// text seems to end, which leads out of the grammar. Throwing would cost the first who throws a millisecond or two,
 /// since a program without shared libraries sorts its tables of frames then.
-class Formula::Maker {
+class Formula::Maker : Writer {
 public:
     using ValueOf = std::function<const Value*(NameId)>;
 
-    Maker(Names& names, const ValueOf& value_of) : names_(names), value_of_(value_of) { constant(kZero); }
+    Maker(Names& names, const ValueOf& value_of) : names_(names), value_of_(value_of) {}
 
     std::optional<Formula> of_function(const Function& function) {
         function_ = &function;
@@ -63,14 +58,6 @@ public:
     int tokens() const { return tokens_; }
 
 private:
-    /// Places of components: constants from 0, numbers of the world from kNumber, operations from kOperation. The first
-    /// constant is 0, and stands where there is no component.
-    struct Operand {
-        std::uint16_t at[5] = {};
-        int count = 1;
-    };
-    static constexpr std::uint16_t kNumber = 0x4000, kOperation = 0x8000;
-
     /// What a macro's parameter stands for: numbers, or what has this name outside of all macros.
     using Argument = std::variant<Operand, NameId>;
     struct Call {
@@ -94,7 +81,7 @@ private:
     }
     void next() {
         if (++tokens_ > kMostTokens) give_up();
-        if (is_formula_) scanner_.scan(names_, token_);
+        is_formula_ ? scanner_.scan(names_, token_) : give_up();
     }
     void give_up() {
         is_formula_ = false;
@@ -114,60 +101,7 @@ private:
         if (!accept(symbol)) give_up();
     }
 
-    // ---- places
-    std::uint16_t constant(double value) {
-        auto& all = formula_.constants_;
-        const auto same = [value](double x) { return x == value && std::signbit(x) == std::signbit(value); };
-        const auto found = std::find_if(all.begin(), all.end(), same);
-        if (found != all.end()) return static_cast<std::uint16_t>(found - all.begin());
-        if (all.size() == kMostNumbers) return give_up(), std::uint16_t{0};
-        all.push_back(value);
-        return static_cast<std::uint16_t>(all.size() - 1);
-    }
-    std::uint16_t new_number() {
-        if (formula_.numbers_ == kMostNumbers) return give_up(), kNumber;
-        return static_cast<std::uint16_t>(kNumber + formula_.numbers_++);
-    }
-    std::uint16_t add(Does does, std::uint16_t a, std::uint16_t b = 0, std::uint16_t c = 0) {
-        const std::uint16_t operands[] = {a, b, c};
-        const int count = operands_of(does);
-        const auto is_constant = [](std::uint16_t place) { return place < kNumber; };
-        if (count > 0 && does != Does::draw && std::all_of(operands, operands + count, is_constant)) {
-            const auto at = [&](int i) { return i < count ? formula_.constants_[operands[i]] : 0; };
-            const double value = Formula::constant(does, at(0), at(1), at(2));
-            if (std::isfinite(value)) return constant(value);
-        }
-        if (does == Does::draw || does == Does::call || does >= Does::rotate) return push({does, a, b, c});
-        const auto [known, is_new] = known_.try_emplace({does, a, b, c}, std::uint16_t{0});
-        if (is_new) known->second = push({does, a, b, c});
-        return known->second;
-    }
-    std::uint16_t push(const Operation& operation) {
-        auto& all = formula_.operations_;
-        if (all.size() == kMostOperations) return give_up(), kOperation;
-        all.push_back(operation);
-        return static_cast<std::uint16_t>(kOperation + all.size() - 1);
-    }
-    std::uint16_t listed(std::initializer_list<Operand> operands) {
-        const std::size_t first = formula_.operands_.size();
-        for (const Operand& o : operands) formula_.operands_.insert(formula_.operands_.end(), o.at, o.at + o.count);
-        if (formula_.operands_.size() > kMostOperations) give_up();
-        return static_cast<std::uint16_t>(first);
-    }
-
-    Operand filled(std::uint16_t place, int count) const {
-        Operand operand;
-        std::fill(operand.at, operand.at + count, place);
-        operand.count = count;
-        return operand;
-    }
-    Operand literal(double value, int wanted) { return filled(constant(value), wanted); }
-
     // ---- the grammar
-    void promote(Operand& operand, int count) {
-        for (int i = operand.count; i < count; ++i) operand.at[i] = operand.count == 1 ? operand.at[0] : 0;
-        operand.count = std::max(operand.count, count);
-    }
     void combine(Operand& left, Operand right, Does does) {
         has_one_operand_ = false;
         promote(left, right.count);
@@ -432,7 +366,7 @@ private:
             if (formula_.depth_ > kDeepest) give_up();
             formula_.work_ = std::min(kMostWork, formula_.work_ + called.formula->work_);
             which = static_cast<std::uint16_t>(formula_.kept_.size());
-            if (which == kMostOperations) give_up();
+            if (which == kMostNumbers) give_up();
             formula_.kept_.push_back(called.formula);
         } else {
             which = thing(Name::Is::function, name, count, {});
@@ -632,48 +566,15 @@ private:
         return value;
     }
 
-    // ---- the end
-    std::uint16_t final_place(std::uint16_t place) const {
-        const std::size_t constants = formula_.constants_.size();
-        if (place >= kOperation)
-            return static_cast<std::uint16_t>(constants + formula_.numbers_ + (place - kOperation));
-        return static_cast<std::uint16_t>(place >= kNumber ? constants + (place - kNumber) : place);
-    }
-    std::optional<Formula> finish(const Operand& value) {
-        if (!is_formula_) return std::nullopt;
-        static_assert(2 * kMostNumbers + kMostOperations <= kMostPlaces - 2);
-        for (Operation& o : formula_.operations_) {
-            const int count = operands_of(o.does);
-            if (count > 0) o.a = final_place(o.a);
-            if (count > 1 || o.does == Does::element) o.b = final_place(o.b);
-            if (count > 2) o.c = final_place(o.c);
-        }
-        for (std::uint16_t& place : formula_.operands_) place = final_place(place);
-        std::transform(value.at, value.at + 5, formula_.results_, [this](auto place) { return final_place(place); });
-        formula_.count_ = value.count;
-        for (const auto& kept : formula_.kept_) formula_.functions_.push_back(kept.get());
-        const auto is_slow = [](const Operation& o) {
-            return o.does >= Does::call || (o.does >= Does::abs && o.does < Does::add) ||
-                   (o.does >= Does::atan2 && o.does < Does::choose);
-        };
-        const auto& all = formula_.operations_;
-        formula_.work_ += 1 + static_cast<std::int64_t>(all.size()) / kOperationsPerToken +
-                          std::count_if(all.begin(), all.end(), is_slow);
-        return std::move(formula_);
-    }
-
     Names& names_;
     const ValueOf& value_of_;
     const Function* function_ = nullptr;  ///< whose text this is: its names are constants
     Scanner scanner_;
     Token token_;
-    Formula formula_;
     std::vector<Call> calls_;
     std::map<NameId, Operand> variables_;
-    std::map<std::tuple<Does, std::uint16_t, std::uint16_t, std::uint16_t>, std::uint16_t> known_;
     int tokens_ = 0;
     int depth_ = 0;
-    bool is_formula_ = true;
     bool has_one_operand_ = true;
 };
 

@@ -247,10 +247,15 @@ TEST(Formula, ErrorsInRepeatedTextNameTheirPlace) {
         "test.pov:3:13: subscript 3 of an array of 3 elements; count from 0");
 }
 
-TEST(Formula, AnArrayMayBecomeShorter) {
+TEST(Formula, AnArrayMayHaveOtherSizes) {
     EXPECT_TRUE(contains(error_of("#declare A = array[4] { 1, 2, 3, 4 } #declare B = array[2] { 5, 6 }\n"
                                   "#macro S(Of) #declare W = Of[3]; sphere { W*x, 1 } #end S(A) S(A) S(A) S(B)"),
                          "subscript 3 of an array of 2 elements"));
+    const Scene scene = scene_of(
+        "#declare A = array[2][3] { {0, 1, 2}, {3, 4, 5} } #declare B = array[3][2] { {0, 1}, {2, 3}, {4, 5} }\n"
+        "#macro S(Of) #declare W = Of[1][1]; sphere { W*x, 1 } #end S(A) S(A) S(A) S(B)");
+    EXPECT_EQ(double(scene.spheres[2].center.x), 4);
+    EXPECT_EQ(double(scene.spheres[3].center.x), 3);
 }
 
 TEST(Formula, ALoopThatOnlyDrawsEnds) {
